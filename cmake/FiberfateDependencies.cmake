@@ -1,0 +1,23 @@
+# Finds the libraries that fiberfate stands on; every one is a Debian 12 package (docs/develop/building.md).
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(toml11 3.7 REQUIRED)
+find_package(fmt 9 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(Ceres REQUIRED)
+
+find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
+find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+add_library(fiberfate_udunits2 INTERFACE)
+target_include_directories(fiberfate_udunits2 SYSTEM INTERFACE "${UDUNITS2_INCLUDE_DIR}")
+target_link_libraries(fiberfate_udunits2 INTERFACE "${UDUNITS2_LIBRARY}")
+
+add_library(fiberfate_hdf5 INTERFACE)
+target_include_directories(fiberfate_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
+target_link_libraries(fiberfate_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
+target_compile_definitions(fiberfate_hdf5 INTERFACE ${HDF5_DEFINITIONS})

@@ -1,0 +1,42 @@
+# fiberfate_module(NAME [DEPENDS module...] [LIBRARIES target...] [PRIVATE_LIBRARIES target...])
+# defines the library of src/NAME from all of its sources, with the project's language and warnings.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+endif()
+
+add_library(fiberfate_flags INTERFACE)
+target_compile_features(fiberfate_flags INTERFACE cxx_std_20)
+target_compile_options(fiberfate_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual>
+  # Results must not depend on how a compiler contracts a*b+c in one build and not in another.
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+if(FIBERFATE_WERROR)
+  target_compile_options(fiberfate_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+
+function(fiberfate_module name)
+  cmake_parse_arguments(arg "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(NOT sources)
+    add_library(fiberfate_${name} INTERFACE)
+    add_library(fiberfate::${name} ALIAS fiberfate_${name})
+    return()
+  endif()
+  add_library(fiberfate_${name} STATIC ${sources})
+  add_library(fiberfate::${name} ALIAS fiberfate_${name})
+  list(TRANSFORM arg_DEPENDS PREPEND fiberfate::)
+  target_include_directories(fiberfate_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fiberfate>)
+  target_link_libraries(fiberfate_${name}
+    PUBLIC ${arg_DEPENDS} ${arg_LIBRARIES}
+    PRIVATE $<BUILD_INTERFACE:fiberfate_flags> ${arg_PRIVATE_LIBRARIES})
+  set_target_properties(fiberfate_${name} PROPERTIES EXPORT_NAME ${name})
+endfunction()

@@ -1,0 +1,72 @@
+// Moves a population of fibers through time.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/timer.hpp"
+#include "dynamics/parameters.hpp"
+#include "fibers/flow.hpp"
+#include "fibers/state.hpp"
+
+namespace fiberfate {
+
+/// Names what held the size of a step down.
+enum class StepLimit { control, tolerance, strain, maximum, event };
+[[nodiscard]] const char* name(StepLimit limit);
+
+/// Records one hinge that broke.
+struct BreakEvent {
+  double time = 0;                ///< s
+  std::uint32_t birth_id = 0;     ///< original fiber
+  std::uint32_t birth_node = 0;   ///< node along the original fiber
+  double radius = 0;              ///< radius of curvature at which it broke, m
+  double parent_length = 0;       ///< length of the fiber that broke, m
+  double child_length = 0;        ///< length of the first of its two parts, m
+};
+
+/// Summarises the contacts at the present positions.
+struct ContactStatistics {
+  std::int64_t contacts = 0;         ///< pairs of rods with d < d_cut a that carry a normal force
+  double contacts_per_fiber = 0;     ///< 2 contacts / fibers
+  double max_overlap = 0;            ///< largest (a_i + a_j − d)/a, in radii; 0 when none
+  double mean_overlap = 0;           ///< mean over contacts of the same
+  double largest_force = 0;          ///< N
+};
+
+/// Tells what one call of advance() did.
+struct StepReport {
+  double step_size = 0;  ///< s
+  StepLimit limit = StepLimit::control;
+  int rejections = 0;  ///< trial steps thrown away
+};
+
+/// Steps a state: neighbours, loads, solve, trial, accept or shrink, breakage (docs/theory/particles.md).
+/// The state alone determines the future: a simulation made from a saved state continues bitwise, with any number
+/// of threads.
+class Simulation {
+ public:
+  /// Takes the parameters, the flow and the state to start from; raises InputError when they cannot belong together.
+  Simulation(const DynamicsParameters& parameters, FlowHistory flow, FiberState state);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Makes one accepted step, cut so as not to pass `until`, a change of the flow or a breakage check.
+  /// Raises SimulationFailure when no step above the minimum is acceptable or a position is not finite.
+  StepReport advance(double until);
+
+  [[nodiscard]] const FiberState& state() const;
+  /// Hands over the breaks since the last call, in order of time, birth id and node.
+  [[nodiscard]] std::vector<BreakEvent> take_break_events();
+  /// Measures the contacts at the present positions (a pass over the neighbour list).
+  [[nodiscard]] ContactStatistics contact_statistics();
+  [[nodiscard]] PhaseTimes& times();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,42 @@
+// Describes the cell that holds the fibers: a lattice that flows with the fluid, periodic or walled.
+#pragma once
+
+#include <array>
+
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+/// Says how the cell ends in the direction of one lattice vector.
+enum class Boundary { periodic, walls };
+
+/// Holds the cell {lattice · s : 0 <= s_i < 1}.
+struct Cell {
+  Mat3 lattice = Mat3::Identity();  ///< H; its columns are the lattice vectors, m
+  std::array<Boundary, 3> boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
+
+  [[nodiscard]] double volume() const { return lattice.determinant(); }
+  /// Displacement of the image `image` (integers): H · image, m.
+  [[nodiscard]] Vec3 shift(const IntVec3& image) const { return lattice * image.cast<double>(); }
+  /// Distance between the faces that direction `i` separates, m.
+  [[nodiscard]] double height(int i) const { return 1.0 / lattice.inverse().row(i).norm(); }
+};
+
+/// Makes a rectangular cell.
+[[nodiscard]] Cell rectangular_cell(const Vec3& size);
+
+/// Carries the lattice with the flow, dH/dt = kappa · H, exactly over `duration`: H ← exp(kappa · duration) · H.
+/// Walled directions keep their lattice vector (only simple shear along the walls is admissible there).
+void deform(Cell& cell, const Mat3& gradient, double duration);
+
+/// Tells whether some lattice vector can be shortened by adding another: for simple shear, whether the tilt exceeds ±1/2.
+[[nodiscard]] bool is_skewed(const Cell& cell);
+
+/// Replaces a skewed basis by a reduced one of the same lattice and returns the unimodular matrix U with
+/// H_new = H_old · U. For simple shear this is the Lees-Edwards reset. Images transform as n_new = U⁻¹ · n_old.
+Eigen::Matrix3i reduce(Cell& cell);
+
+/// Tells in which image of the cell the point lies (0 in walled directions).
+[[nodiscard]] IntVec3 image_of(const Cell& cell, const Vec3& point);
+
+}  // namespace fiberfate
