@@ -48,7 +48,6 @@ struct StepParameters {
   double maximum = 1e-3;         ///< s
   double tolerance = 0.02;       ///< local error of displacement a step that `adaptive` allows, in radii (rms over nodes)
   double maximum_strain = 0.05;  ///< most strain of the flow in one step of `adaptive`
-  double maximum_displacement = 2e-6;  ///< cap on a fiber's largest displacement relative to the fluid in one step, m; 0: none
 };
 
 /// Holds all choices about the motion of fibers.
