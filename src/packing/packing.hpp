@@ -1,0 +1,73 @@
+// Packs fibers of any length into a cell: orientation as asked, no overlap, as little bending as possible.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "fibers/state.hpp"
+#include "microstructure/orientation_sampling.hpp"
+#include "packing/packing_statistics.hpp"
+#include "packing/population.hpp"
+
+namespace fiberfate {
+
+/// Names how the fibers lie before they are pushed apart.
+enum class PackingStart {
+  dispersed,  ///< straight fibers with centres anywhere in the cell
+};
+
+/// Asks for directions: a tensor with the law that realises it, or measured directions.
+struct OrientationRequest {
+  Mat3 tensor = Mat3::Identity() / 3;  ///< A2, length-weighted
+  OrientationLaw law = OrientationLaw::angular_central_gaussian;
+  std::vector<Vec3> directions;  ///< where not empty: dealt to the fibers, and their moment replaces `tensor`
+};
+
+/// Holds the contact law under which the packing comes to rest: the one that will be run (see
+/// dynamics/parameters.hpp). F = A D min(ramp from d_cut a + ramp/2 to d_cut a − ramp/2, exp(−B (d/a − 2))).
+struct RestLaw {
+  double force_constant = 500;  ///< A, N/m
+  double decay = 2;             ///< B
+  double cutoff = 2;            ///< d_cut in radii
+  double ramp = 1e-6;           ///< m
+};
+
+/// Asks for a packing.
+struct PackingRequest {
+  std::vector<FiberMaterial> materials;
+  std::vector<FiberBlank> fibers;
+  Cell cell;  ///< periodic, or with walls in some directions
+  OrientationRequest orientation;
+  PackingStart start = PackingStart::dispersed;
+  double minimum_radius = 0;             ///< smallest radius of curvature wanted, m; 0: as large as comes
+  double overlap_tolerance = 0.01;       ///< largest overlap allowed, in diameters
+  double orientation_tolerance = 0.005;  ///< largest error allowed in any component of A2
+  RestLaw rest;
+  int step_limit = 20000;  ///< most minimisation steps before giving up
+  std::uint64_t seed = 1;
+};
+
+/// Reports how far a packing is.
+struct PackingProgress {
+  const char* stage = "";
+  int step = 0;
+  double largest_overlap = 0;    ///< in diameters
+  double minimum_radius = 0;     ///< m
+  double orientation_error = 0;  ///< largest component of |A2 − asked|
+};
+
+/// Holds a packing and what is known of it.
+struct PackingResult {
+  FiberState state;  ///< fibers in the order of the request, wrapped into the cell, at rest
+  PackingReport report;
+};
+
+/// Packs the fibers (docs/theory/packing.md). The result is bitwise the same for any number of threads.
+/// Raises InputError for requests that cannot be met by any packing, and SimulationFailure with what was
+/// reached when none was found within the step limit.
+[[nodiscard]] PackingResult pack(const PackingRequest& request,
+                                 const std::function<void(const PackingProgress&)>& progress = {});
+
+}  // namespace fiberfate

@@ -1,0 +1,40 @@
+// Measures a packing: overlap, curvature, orientation, contacts and pair distances beside the theory of
+// random rods.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "fibers/state.hpp"
+
+namespace fiberfate {
+
+/// Compares pairs of fibers at one range of axis distances with fibers placed at random.
+struct PairDistanceBin {
+  double low = 0;        ///< axis distance, in diameters
+  double high = 0;       ///< in diameters
+  double per_fiber = 0;  ///< places per fiber where another fiber passes at that distance
+  double random = 0;     ///< the same expected of fibers of these directions placed at random
+};
+
+/// Says what was asked for and what came out.
+struct PackingReport {
+  Mat3 orientation_asked = Mat3::Zero();    ///< A2, length-weighted
+  Mat3 orientation_reached = Mat3::Zero();  ///< A2, length-weighted
+  double orientation_error = 0;             ///< largest component of the difference
+  double volume_fraction = 0;
+  double largest_overlap = 0;     ///< in diameters; 0 when no fibers overlap
+  double minimum_radius = 0;      ///< smallest radius of curvature, m; infinity when all are straight
+  double mean_curvature = 0;      ///< mean over the hinges, 1/m
+  double contacts_per_fiber = 0;  ///< places where another fiber is nearer than 1.05 diameters
+  double contacts_random = 0;     ///< the same expected of fibers placed at random (Toll 1998)
+  std::vector<PairDistanceBin> pair_distances;
+  int steps = 0;  ///< minimisation steps
+  double wall_seconds = 0;
+};
+
+/// Measures a packing; `asked` is the A2 that was wanted.
+[[nodiscard]] PackingReport measure_packing(const FiberState& state, const Mat3& asked);
+
+}  // namespace fiberfate
