@@ -1,6 +1,7 @@
 // Describes the cell that holds the fibers: a lattice that flows with the fluid, periodic or walled.
 #pragma once
 
+#include <Eigen/LU>
 #include <array>
 
 #include "base/vector.hpp"

@@ -1,0 +1,44 @@
+// Collects what is wrong between the keys of a case, each with the place where it was written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "io/toml_document.hpp"
+
+namespace fiberfate {
+
+/// Says whether files that a case names must exist: yes for a new run, no for one that is resumed.
+enum class NamedFiles { must_exist, may_be_gone };
+
+/// Serves a study's validate(): it reports problems by key and looks up places by itself.
+class CaseChecker {
+ public:
+  explicit CaseChecker(const TomlDocument& document, NamedFiles named_files = NamedFiles::must_exist)
+      : document_(document), named_files_(named_files) {}
+
+  /// Reports an error at a key; where the key is not given, at the file.
+  void error(const std::string& key, const std::string& complaint, const std::string& remedy);
+  /// Reports something odd that does not stop the run.
+  void warn(const std::string& key, const std::string& complaint, const std::string& remedy);
+  /// Tells whether the case gives the key itself.
+  [[nodiscard]] bool is_given(const std::string& key) const { return document_.find(key) != nullptr; }
+  /// Cites a key with its place for use inside a message: `fibers.count = 100 (line 12)`.
+  [[nodiscard]] std::string cite(const std::string& key) const;
+  /// Reports an error unless the file exists and can be read.
+  void check_file(const std::string& key, const std::string& path);
+
+  [[nodiscard]] const std::vector<InputProblem>& errors() const { return errors_; }
+  [[nodiscard]] const std::vector<InputProblem>& warnings() const { return warnings_; }
+
+ private:
+  [[nodiscard]] InputProblem problem(const std::string& key, const std::string& complaint,
+                                     const std::string& remedy) const;
+  const TomlDocument& document_;
+  NamedFiles named_files_;
+  std::vector<InputProblem> errors_;
+  std::vector<InputProblem> warnings_;
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,40 @@
+// Reads case files: finds the study, reads every key, checks the whole, and writes cases back.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/study.hpp"
+
+namespace fiberfate {
+
+/// Holds a case that has been read and found valid.
+struct LoadedCase {
+  const Study* study = nullptr;
+  CaseValues values;                  ///< the study's case struct
+  std::string path;                   ///< of the file, as given
+  std::vector<std::string> warnings;  ///< what is odd but admissible, formatted like errors
+};
+
+/// Reads a case file, with assignments "key=value" from the command line on top.
+/// Raises InputError with all problems of the file at once.
+[[nodiscard]] LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+/// Reads the case.resolved.toml of a result folder. Files that it names need not exist any more: what was in
+/// them is in the checkpoint.
+[[nodiscard]] LoadedCase load_resolved_case(const std::string& path);
+
+/// Reads a case from a text that messages call `name`; its relative paths start at the working directory.
+[[nodiscard]] LoadedCase parse_case(const std::string& text, const std::string& name,
+                                    const std::vector<std::string>& overrides = {});
+
+/// Writes every key of a case, defaults included, bare in SI, and the program's version: reading it back
+/// gives the same bits (case.resolved.toml).
+[[nodiscard]] std::string resolved_case(const Study& study, const CaseValues& values);
+
+/// Writes an annotated case file in friendly units, with every key explained; keys at their default are
+/// commented out. With default values, examples stand for the required keys (`fiberfate new`).
+[[nodiscard]] std::string annotated_case(const Study& study, const CaseValues& values);
+
+}  // namespace fiberfate

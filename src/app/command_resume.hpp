@@ -1,0 +1,11 @@
+// Declares the command resume.
+#pragma once
+
+#include "app/study.hpp"
+
+namespace fiberfate {
+
+/// Continues the run in options.out from its last checkpoint; returns the exit status.
+int run_resume(const RunOptions& options);
+
+}  // namespace fiberfate

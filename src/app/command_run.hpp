@@ -1,0 +1,12 @@
+// Declares the command run.
+#pragma once
+
+#include "app/study.hpp"
+
+namespace fiberfate {
+
+/// Runs options.case_file into a new result folder; returns the exit status. Raises InputError,
+/// SimulationFailure or StorageError, which main turns into messages and statuses.
+int run_run(const RunOptions& options);
+
+}  // namespace fiberfate

@@ -1,0 +1,130 @@
+// Describes the keys of a case once; reading, templates, explanations and documentation all follow from it.
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/key_value.hpp"
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+/// Says whether a case may leave a key out.
+enum class Need { optional, required };
+
+/// Tells everything about a key that is not its value.
+struct KeyNotes {
+  std::string text;           ///< what it means, one or two sentences
+  std::string unit = "1";     ///< SI unit of the value in memory; "1" for a pure number
+  std::string friendly = {};  ///< unit that templates write; empty: the same as `unit`
+  Range range = {};           ///< admissible values, in SI
+  Need need = Need::optional;
+  std::string example = {};  ///< TOML text that a template shows where there is no default
+  std::string source = {};   ///< where the default or the definition comes from
+};
+
+/// Names one value of an enum in case files.
+template <class Enum>
+struct Choice {
+  Enum value;
+  const char* name;
+  const char* text;
+};
+
+/// Binds one key to a member of a case struct.
+struct Key {
+  std::string name;  ///< full, "fibers.length"
+  KeyNotes notes;
+  std::string kind;  ///< "quantity", "whole number", "choice", …, for explanations
+  std::vector<std::pair<std::string, std::string>> choices;  ///< name and meaning, for a choice
+  /// Reads a value into the member; tells what is wrong with it, if anything.
+  std::function<std::optional<Complaint>(const TomlValue&)> read;
+  /// Writes the member as TOML; empty when it is not given.
+  std::function<std::string(NumberStyle)> write;
+
+  [[nodiscard]] std::string section() const;  ///< "fibers"; empty for a key outside any table
+  [[nodiscard]] std::string leaf() const;     ///< "length"
+};
+
+/// Heads a group of keys: one TOML table.
+struct Section {
+  std::string name;
+  std::string text;
+};
+
+/// Collects the keys of one case. A study's describe() adds every key with the member it lives in; the
+/// members' values at that moment are the defaults. The case must outlive the table.
+class KeyTable {
+ public:
+  void section(std::string name, std::string text);
+
+  void quantity(const std::string& key, double& member, KeyNotes notes);
+  /// A quantity without default.
+  void quantity(const std::string& key, std::optional<double>& member, KeyNotes notes);
+  /// A list of quantities of one unit.
+  void quantities(const std::string& key, std::vector<double>& member, KeyNotes notes);
+  /// Three quantities; with `Cubic::allowed` one number stands for three equal ones.
+  enum class Cubic { no, allowed };
+  void vector(const std::string& key, std::optional<Vec3>& member, Cubic cubic, KeyNotes notes);
+  /// A whole number.
+  template <class Integer>
+  void count(const std::string& key, Integer& member, KeyNotes notes) {
+    add_count(
+        key, std::move(notes), [&member] { return std::optional<std::int64_t>(member); },
+        [&member](std::int64_t value) { member = static_cast<Integer>(value); });
+  }
+  /// A whole number without default.
+  void count(const std::string& key, std::optional<std::int64_t>& member, KeyNotes notes) {
+    add_count(
+        key, std::move(notes), [&member] { return member; },
+        [&member](std::int64_t value) { member = value; });
+  }
+  /// One of several names.
+  template <class Enum>
+  void choice(const std::string& key, Enum& member, std::initializer_list<Choice<Enum>> choices,
+              KeyNotes notes) {
+    const std::vector<Choice<Enum>> all(choices);
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const Choice<Enum>& one : all) names.emplace_back(one.name, one.text);
+    add_choice(
+        key, std::move(notes), names,
+        [&member, all] {
+          std::size_t i = 0;
+          while (i + 1 < all.size() && all[i].value != member) ++i;
+          return i;
+        },
+        [&member, all](std::size_t i) { member = all[i].value; });
+  }
+  /// The path of a file, relative to the case file; kept absolute.
+  void file(const std::string& key, std::string& member, KeyNotes notes);
+  /// Rows of quantities, one unit a column, or the path of a text file that holds them in SI units.
+  void rows(const std::string& key, std::vector<std::vector<double>>& member, std::vector<Column> columns,
+            KeyNotes notes);
+  /// A second-order orientation tensor: "isotropic", "planar", "aligned", three principal values, or 3×3
+  /// components.
+  void orientation(const std::string& key, Mat3& member, KeyNotes notes);
+  /// Any other kind of value.
+  void add(Key key);
+
+  [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
+  [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
+  [[nodiscard]] const Key* find(const std::string& key) const;
+
+  /// The folder against which relative paths are read.
+  std::string folder = ".";
+
+ private:
+  void add_count(const std::string& key, KeyNotes notes, std::function<std::optional<std::int64_t>()> value,
+                 std::function<void(std::int64_t)> set);
+  void add_choice(const std::string& key, KeyNotes notes,
+                  std::vector<std::pair<std::string, std::string>> names, std::function<std::size_t()> index,
+                  std::function<void(std::size_t)> set);
+  std::vector<Section> sections_;
+  std::vector<Key> keys_;
+};
+
+}  // namespace fiberfate
