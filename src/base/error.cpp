@@ -56,10 +56,9 @@ InputError::InputError(std::string complaint, std::string remedy)
     : InputError(std::vector<InputProblem>{{"", 0, 0, "", "", std::move(complaint), std::move(remedy)}}) {}
 
 SimulationFailure::SimulationFailure(const std::string& what, FailurePlace place)
-    : std::runtime_error(
-          fmt::format("{} (fiber {}, step {}, time {:.9g} s, largest force {:.4g} N)", what,
-                      place.fiber < 0 ? std::string("none") : std::to_string(place.fiber), place.step,
-                      place.time, place.largest_force)),
+    : std::runtime_error(fmt::format("{} (fiber {}, step {}, time {:.9g} s, largest force {:.4g} N)", what,
+                                     place.fiber < 0 ? std::string("none") : std::to_string(place.fiber),
+                                     place.step, place.time, place.largest_force)),
       place_(place) {}
 
 std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates) {

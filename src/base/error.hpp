@@ -53,7 +53,8 @@ class SimulationFailure : public std::runtime_error {
   FailurePlace place_;
 };
 
-/// Reports that a result or checkpoint could not be written or read (full disk, missing permission); exit status 3.
+/// Reports that a result or checkpoint could not be written or read (full disk, missing permission); exit
+/// status 3.
 class StorageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -61,6 +62,7 @@ class StorageError : public std::runtime_error {
 
 /// Finds the candidate that a misspelt word most likely meant, or an empty view when none is near.
 /// Nearness is the Damerau-Levenshtein distance; at most a third of the letters (at least 2) may differ.
-[[nodiscard]] std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates);
+[[nodiscard]] std::string_view nearest_word(std::string_view word,
+                                            const std::vector<std::string>& candidates);
 
 }  // namespace fiberfate

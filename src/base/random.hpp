@@ -1,4 +1,5 @@
-// Draws random numbers that are a pure function of what they are for: threads, ranks and restarts change nothing.
+// Draws random numbers that are a pure function of what they are for: threads, ranks and restarts change
+// nothing.
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@ struct RandomCounter {
   std::uint32_t third = 0;   ///< e.g. number of the check
 };
 
-/// Draws four independent numbers, uniform in the open interval (0, 1), by Philox4x32-10 keyed with (seed, stream).
-/// Source: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011).
+/// Draws four independent numbers, uniform in the open interval (0, 1), by Philox4x32-10 keyed with (seed,
+/// stream). Source: Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", SC11 (2011).
 [[nodiscard]] std::array<double, 4> uniform4(std::uint64_t seed, RandomStream stream, RandomCounter counter);
 
 /// Draws one number, uniform in (0, 1): the first of uniform4.

@@ -1,8 +1,8 @@
 // Gives eight doubles that compute side by side, and says which instruction set this processor offers.
 //
 // Kernels are headers "*.kernel.hpp", compiled once for each instruction set into a namespace of that name
-// (cmake/FiberfateKernels.cmake) and chosen at run time. They must not instantiate anything of the standard library
-// or Eigen: the linker would keep one copy, perhaps the one that this processor cannot run.
+// (cmake/FiberfateKernels.cmake) and chosen at run time. They must not instantiate anything of the standard
+// library or Eigen: the linker would keep one copy, perhaps the one that this processor cannot run.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,12 @@ static inline __attribute__((always_inline)) Pack broadcast(double x) {
 static inline __attribute__((always_inline)) Pack choose(const Mask& mask, const Pack& yes, const Pack& no) {
   return mask ? yes : no;
 }
-static inline __attribute__((always_inline)) Pack smaller(const Pack& a, const Pack& b) { return a < b ? a : b; }
-static inline __attribute__((always_inline)) Pack larger(const Pack& a, const Pack& b) { return a > b ? a : b; }
+static inline __attribute__((always_inline)) Pack smaller(const Pack& a, const Pack& b) {
+  return a < b ? a : b;
+}
+static inline __attribute__((always_inline)) Pack larger(const Pack& a, const Pack& b) {
+  return a > b ? a : b;
+}
 static inline __attribute__((always_inline)) Pack clamp(const Pack& x, double low, double high) {
   return smaller(larger(x, broadcast(low)), broadcast(high));
 }

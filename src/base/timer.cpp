@@ -27,6 +27,8 @@ double cpu_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
-std::size_t peak_memory_bytes() { return static_cast<std::size_t>(resource_usage().ru_maxrss) * 1024U; }
+std::size_t peak_memory_bytes() {
+  return static_cast<std::size_t>(resource_usage().ru_maxrss) * 1024U;
+}
 
 }  // namespace fiberfate

@@ -49,7 +49,8 @@ double unit_factor(const std::string& unit, const std::string& si_unit) {
   if (!from) throw std::invalid_argument(fmt::format("'{}' is not a unit", unit));
   const Unit to = parse_unit(si_unit);
   if (!to) throw std::invalid_argument(fmt::format("'{}' is not a unit", si_unit));
-  std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()), cv_free);
+  std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()),
+                                                              cv_free);
   if (!converter)
     throw std::invalid_argument(fmt::format("'{}' does not have the dimension of '{}'", unit, si_unit));
   // Units with an offset (degC) are converted with quantity_in_si; the factor is the slope.
@@ -72,7 +73,8 @@ double quantity_in_si(std::string_view quantity, const std::string& si_unit) {
   if (!from) throw std::invalid_argument(fmt::format("'{}' is not a unit", unit));
   const Unit to = parse_unit(si_unit);
   if (!to) throw std::invalid_argument(fmt::format("'{}' is not a unit", si_unit));
-  std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()), cv_free);
+  std::unique_ptr<cv_converter, decltype(&cv_free)> converter(ut_get_converter(from.get(), to.get()),
+                                                              cv_free);
   if (!converter)
     throw std::invalid_argument(fmt::format("'{}' does not have the dimension of '{}'", unit, si_unit));
   return cv_convert_double(converter.get(), number);

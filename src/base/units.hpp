@@ -8,7 +8,8 @@ namespace fiberfate {
 
 /// Converts a quantity such as "200 Pa s" to a number in the coherent SI unit `si_unit` ("Pa s").
 /// A bare number ("0.2") is taken to be in `si_unit`. "%" is 0.01 where `si_unit` is "1".
-/// Raises std::invalid_argument with the reason when the number or unit cannot be read or the dimension differs.
+/// Raises std::invalid_argument with the reason when the number or unit cannot be read or the dimension
+/// differs.
 [[nodiscard]] double quantity_in_si(std::string_view quantity, const std::string& si_unit);
 
 /// Tells by which factor a number in `unit` is multiplied to be in `si_unit`; raises as above.

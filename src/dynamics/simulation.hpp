@@ -18,21 +18,21 @@ enum class StepLimit { control, tolerance, strain, maximum, event };
 
 /// Records one hinge that broke.
 struct BreakEvent {
-  double time = 0;                ///< s
-  std::uint32_t birth_id = 0;     ///< original fiber
-  std::uint32_t birth_node = 0;   ///< node along the original fiber
-  double radius = 0;              ///< radius of curvature at which it broke, m
-  double parent_length = 0;       ///< length of the fiber that broke, m
-  double child_length = 0;        ///< length of the first of its two parts, m
+  double time = 0;               ///< s
+  std::uint32_t birth_id = 0;    ///< original fiber
+  std::uint32_t birth_node = 0;  ///< node along the original fiber
+  double radius = 0;             ///< radius of curvature at which it broke, m
+  double parent_length = 0;      ///< length of the fiber that broke, m
+  double child_length = 0;       ///< length of the first of its two parts, m
 };
 
 /// Summarises the contacts at the present positions.
 struct ContactStatistics {
-  std::int64_t contacts = 0;         ///< pairs of rods with d < d_cut a that carry a normal force
-  double contacts_per_fiber = 0;     ///< 2 contacts / fibers
-  double max_overlap = 0;            ///< largest (a_i + a_j − d)/a, in radii; 0 when none
-  double mean_overlap = 0;           ///< mean over contacts of the same
-  double largest_force = 0;          ///< N
+  std::int64_t contacts = 0;      ///< pairs of rods with d < d_cut a that carry a normal force
+  double contacts_per_fiber = 0;  ///< 2 contacts / fibers
+  double max_overlap = 0;         ///< largest (a_i + a_j − d)/a, in radii; 0 when none
+  double mean_overlap = 0;        ///< mean over contacts of the same
+  double largest_force = 0;       ///< N
 };
 
 /// Tells what one call of advance() did.
@@ -43,11 +43,12 @@ struct StepReport {
 };
 
 /// Steps a state: neighbours, loads, solve, trial, accept or shrink, breakage (docs/theory/particles.md).
-/// The state alone determines the future: a simulation made from a saved state continues bitwise, with any number
-/// of threads.
+/// The state alone determines the future: a simulation made from a saved state continues bitwise, with any
+/// number of threads.
 class Simulation {
  public:
-  /// Takes the parameters, the flow and the state to start from; raises InputError when they cannot belong together.
+  /// Takes the parameters, the flow and the state to start from; raises InputError when they cannot belong
+  /// together.
   Simulation(const DynamicsParameters& parameters, FlowHistory flow, FiberState state);
   ~Simulation();
   Simulation(Simulation&&) noexcept;

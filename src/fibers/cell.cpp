@@ -7,7 +7,8 @@
 namespace fiberfate {
 namespace {
 
-// A basis vector counts as shortenable only beyond this excess over 1/2, so that a tilt of exactly 1/2 is stable.
+// A basis vector counts as shortenable only beyond this excess over 1/2, so that a tilt of exactly 1/2 is
+// stable.
 constexpr double tilt_tolerance = 1e-9;
 
 double tilt(const Cell& cell, int i, int j) {

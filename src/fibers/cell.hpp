@@ -26,15 +26,17 @@ struct Cell {
 /// Makes a rectangular cell.
 [[nodiscard]] Cell rectangular_cell(const Vec3& size);
 
-/// Carries the lattice with the flow, dH/dt = kappa · H, exactly over `duration`: H ← exp(kappa · duration) · H.
-/// Walled directions keep their lattice vector (only simple shear along the walls is admissible there).
+/// Carries the lattice with the flow, dH/dt = kappa · H, exactly over `duration`: H ← exp(kappa · duration) ·
+/// H. Walled directions keep their lattice vector (only simple shear along the walls is admissible there).
 void deform(Cell& cell, const Mat3& gradient, double duration);
 
-/// Tells whether some lattice vector can be shortened by adding another: for simple shear, whether the tilt exceeds ±1/2.
+/// Tells whether some lattice vector can be shortened by adding another: for simple shear, whether the tilt
+/// exceeds ±1/2.
 [[nodiscard]] bool is_skewed(const Cell& cell);
 
 /// Replaces a skewed basis by a reduced one of the same lattice and returns the unimodular matrix U with
-/// H_new = H_old · U. For simple shear this is the Lees-Edwards reset. Images transform as n_new = U⁻¹ · n_old.
+/// H_new = H_old · U. For simple shear this is the Lees-Edwards reset. Images transform as n_new = U⁻¹ ·
+/// n_old.
 Eigen::Matrix3i reduce(Cell& cell);
 
 /// Tells in which image of the cell the point lies (0 in walled directions).

@@ -23,7 +23,8 @@ FlowHistory::FlowHistory(std::vector<FlowInterval> intervals) : intervals_(std::
     if (!(interval.end_time > before))
       throw InputError("the end times of a flow history do not increase", "sort the rows by end time");
     if (!(interval.viscosity > 0))
-      throw InputError("a flow history has a viscosity that is not positive", "give the matrix viscosity in Pa s");
+      throw InputError("a flow history has a viscosity that is not positive",
+                       "give the matrix viscosity in Pa s");
     before = interval.end_time;
   }
 }

@@ -35,11 +35,13 @@ struct FlowInterval {
 /// Steps of the integrator never straddle an interval's end, so a history is followed exactly.
 class FlowHistory {
  public:
-  /// Takes intervals of strictly increasing end times (the last may be infinite); raises InputError otherwise.
+  /// Takes intervals of strictly increasing end times (the last may be infinite); raises InputError
+  /// otherwise.
   explicit FlowHistory(std::vector<FlowInterval> intervals);
   /// Makes a constant simple shear.
   static FlowHistory constant(double rate, double viscosity);
-  /// Makes the ramp of thesis figure 3.24: `steps` equal steps from rate/steps to rate within `duration`, then rate.
+  /// Makes the ramp of thesis figure 3.24: `steps` equal steps from rate/steps to rate within `duration`,
+  /// then rate.
   static FlowHistory ramp(double rate, double viscosity, double duration, int steps);
 
   /// Tells the flow on [time, next_change(time)).

@@ -10,7 +10,8 @@
 namespace fiberfate {
 namespace {
 
-// Sine of the turning angle below which three nodes count as being on a line: round-off of coordinates, not bending.
+// Sine of the turning angle below which three nodes count as being on a line: round-off of coordinates, not
+// bending.
 constexpr double straightness = 1e-12;
 
 /// Names the nodes [begin, end) of a fiber.
@@ -36,7 +37,9 @@ void copy_part(const FiberState& whole, FiberPart part, FiberState& parts) {
 
 }  // namespace
 
-double FiberMaterial::bending_stiffness() const { return youngs_modulus * pi * std::pow(radius, 4) / 4; }
+double FiberMaterial::bending_stiffness() const {
+  return youngs_modulus * pi * std::pow(radius, 4) / 4;
+}
 
 void append_fiber(FiberState& state, const FiberShape& fiber) {
   if (fiber.nodes.size() < 2) throw InputError("a fiber has fewer than two nodes", "give at least two");
@@ -45,7 +48,8 @@ void append_fiber(FiberState& state, const FiberShape& fiber) {
   for (std::size_t k = 0; k < fiber.nodes.size(); ++k) {
     const bool last = k + 1 == fiber.nodes.size();
     const double length = last ? 0 : (fiber.nodes[k + 1] - fiber.nodes[k]).norm();
-    if (!last && !(length > 0)) throw InputError("a fiber has a rod without length", "remove the doubled node");
+    if (!last && !(length > 0))
+      throw InputError("a fiber has a rod without length", "remove the doubled node");
     state.position.push_back(fiber.nodes[k]);
     state.relative_velocity.push_back(Vec3::Zero());
     state.rod_length.push_back(length);

@@ -23,9 +23,10 @@ struct FiberMaterial {
 
 /// Holds all fibers as struct of arrays.
 ///
-/// A fiber is a chain of rods between nodes; node k and node k+1 of one fiber bound rod k, so rods are numbered by
-/// their first node and the last node of a fiber owns no rod. Nodes of a fiber are contiguous and unwrapped.
-/// Velocities are kept relative to the fluid, w = v − kappa·x: then re-choosing a fiber's image changes no velocity.
+/// A fiber is a chain of rods between nodes; node k and node k+1 of one fiber bound rod k, so rods are
+/// numbered by their first node and the last node of a fiber owns no rod. Nodes of a fiber are contiguous and
+/// unwrapped. Velocities are kept relative to the fluid, w = v − kappa·x: then re-choosing a fiber's image
+/// changes no velocity.
 struct FiberState {
   // One entry a node.
   std::vector<Vec3> position;           ///< x, m
@@ -33,23 +34,24 @@ struct FiberState {
   std::vector<double> rod_length;       ///< l of the rod that begins here, m; 0 at a fiber's last node
 
   // One entry a fiber.
-  std::vector<Index> first_node = {0};      ///< CSR offsets, fibers + 1 entries
-  std::vector<std::uint32_t> birth_id;      ///< number of the original fiber
-  std::vector<std::uint32_t> birth_node;    ///< index of the first node along the original fiber
-  std::vector<std::uint16_t> material_id;   ///< index into materials
-  /// 1 while the fiber's first rod still touches the rod it broke off (the last one of the fiber stored before it):
-  /// that pair is exempt from contact until it has separated.
+  std::vector<Index> first_node = {0};     ///< CSR offsets, fibers + 1 entries
+  std::vector<std::uint32_t> birth_id;     ///< number of the original fiber
+  std::vector<std::uint32_t> birth_node;   ///< index of the first node along the original fiber
+  std::vector<std::uint16_t> material_id;  ///< index into materials
+  /// 1 while the fiber's first rod still touches the rod it broke off (the last one of the fiber stored
+  /// before it): that pair is exempt from contact until it has separated.
   std::vector<std::uint8_t> touches_previous;
 
   std::vector<FiberMaterial> materials;
   Cell cell;
 
-  double time = 0;                 ///< s
-  double step_size = 0;            ///< proposal for the next step, s; 0 before the first
-  std::int64_t step = 0;           ///< accepted steps so far
-  std::int64_t rod_steps = 0;      ///< sum over accepted steps of the number of rods
-  std::int64_t breakage_checks = 0;  ///< checks done so far; the next one is due at its multiple of the interval
-  std::int64_t breaks = 0;         ///< hinges broken so far
+  double time = 0;             ///< s
+  double step_size = 0;        ///< proposal for the next step, s; 0 before the first
+  std::int64_t step = 0;       ///< accepted steps so far
+  std::int64_t rod_steps = 0;  ///< sum over accepted steps of the number of rods
+  std::int64_t breakage_checks =
+      0;                    ///< checks done so far; the next one is due at its multiple of the interval
+  std::int64_t breaks = 0;  ///< hinges broken so far
 
   [[nodiscard]] Index fiber_count() const { return static_cast<Index>(first_node.size()) - 1; }
   [[nodiscard]] Index node_count() const { return static_cast<Index>(position.size()); }
@@ -78,12 +80,13 @@ void append_fiber(FiberState& state, const FiberShape& fiber);
 /// Mean of a fiber's node positions weighted by the adjoining rods' lengths, m.
 [[nodiscard]] Vec3 fiber_centroid(const FiberState& state, Index fiber);
 
-/// Radius of the circle through the three nodes at an inner node (hinge), m; infinity where they are on a line.
-/// For equal rods R = l / (2 sin(theta/2)) with theta the turning angle.
+/// Radius of the circle through the three nodes at an inner node (hinge), m; infinity where they are on a
+/// line. For equal rods R = l / (2 sin(theta/2)) with theta the turning angle.
 [[nodiscard]] double hinge_radius(const Vec3& before, const Vec3& at, const Vec3& after);
 
-/// Splits fibers at the given inner nodes (strictly increasing); the parts are stored where the whole was, in order.
-/// Each such node is doubled; lengths, rod count, velocities and material positions are conserved exactly.
+/// Splits fibers at the given inner nodes (strictly increasing); the parts are stored where the whole was, in
+/// order. Each such node is doubled; lengths, rod count, velocities and material positions are conserved
+/// exactly.
 void split_fibers(FiberState& state, std::span<const Index> nodes);
 
 /// Moves every fiber to the image whose centroid lies in the cell (walled directions are left alone).

@@ -1,0 +1,96 @@
+// Groups fibers by rod count and solves their systems eight at a time.
+#include "dynamics/chain_solver.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/simd.hpp"
+#include "base/threads.hpp"
+#include "dynamics/chain_assembly.hpp"
+
+namespace fiberfate {
+
+namespace baseline {
+void eliminate_chains(double* records, double* factors, int nodes);
+}
+namespace avx2 {
+void eliminate_chains(double* records, double* factors, int nodes);
+}
+namespace avx512 {
+void eliminate_chains(double* records, double* factors, int nodes);
+}
+
+namespace {
+
+void eliminate(ChainSystem& system, int nodes) {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return avx512::eliminate_chains(system.record(0), system.factors(), nodes);
+    case InstructionSet::avx2:
+      return avx2::eliminate_chains(system.record(0), system.factors(), nodes);
+    default:
+      return baseline::eliminate_chains(system.record(0), system.factors(), nodes);
+  }
+}
+
+}  // namespace
+
+void ChainSolver::arrange(const FiberState& state) {
+  std::vector<Index> order(static_cast<std::size_t>(state.fiber_count()));
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return state.rod_count(a) > state.rod_count(b); });
+  groups_.clear();
+  for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes) {
+    Group group;
+    group.nodes = state.rod_count(order[i]) + 1;
+    for (std::size_t lane = 0; lane < ChainSystem::lanes; ++lane)
+      group.fiber[lane] = i + lane < order.size() ? order[i + lane] : -1;
+    groups_.push_back(group);
+  }
+  systems_.resize(static_cast<std::size_t>(thread_count()));
+}
+
+void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
+  const FiberState& state = problem.state;
+  parallel_for(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
+    const Group& group = groups_[static_cast<std::size_t>(g)];
+    ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];
+    system.reserve(group.nodes);
+    for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
+      const Index fiber = group.fiber[static_cast<std::size_t>(lane)];
+      if (fiber < 0) {
+        pad_chain({system, lane, group.nodes}, 0);
+      } else {
+        assemble_chain(problem, fiber, {system, lane, group.nodes});
+      }
+    }
+    eliminate(system, group.nodes);
+    for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
+      const Index fiber = group.fiber[static_cast<std::size_t>(lane)];
+      if (fiber < 0) continue;
+      const Index first = state.begin_node(fiber);
+      for (Index n = first; n < state.end_node(fiber); ++n) {
+        const double* record = system.record(n - first) + lane;
+        const double* w = record + ChainSystem::load * ChainSystem::lanes;
+        solution.relative_velocity[static_cast<std::size_t>(n)] =
+            Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
+        solution.tension[static_cast<std::size_t>(n)] = record[ChainSystem::stretch * ChainSystem::lanes];
+      }
+    }
+  });
+}
+
+std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, DragLaw law) {
+  std::vector<RodDrag> drag(static_cast<std::size_t>(state.node_count()));
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+    const double radius = state.material(fiber).radius;
+    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
+      const auto n = static_cast<std::size_t>(k);
+      drag[n] = rod_drag(law, 1.0, {state.rod_length[n], radius});
+    }
+  }
+  return drag;
+}
+
+}  // namespace fiberfate

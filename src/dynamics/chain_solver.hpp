@@ -1,0 +1,57 @@
+// Solves for the velocities of all fibers: drag, bending and loads balance on every node, rods keep their
+// length.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "dynamics/chain_system.hpp"
+#include "dynamics/drag.hpp"
+#include "dynamics/rod_loads.hpp"
+#include "fibers/flow.hpp"
+#include "fibers/state.hpp"
+
+namespace fiberfate {
+
+/// States the problem of one step. Spans with one entry a node; entries of rods stand at their first node.
+struct ChainProblem {
+  const FiberState& state;             ///< positions at the step's begin
+  std::span<const Vec3> geometry;      ///< positions at which drag and inextensibility hold (mid-step), m
+  std::span<const RodDrag> unit_drag;  ///< of every rod, for a viscosity of 1 Pa s
+  const RodLoads& loads;               ///< forces on rods, implicit in their velocity
+  Flow flow;
+  double step = 0;  ///< over which bending is implicit, s; 0 makes it explicit
+};
+
+/// Receives the solution. Spans with one entry a node.
+struct ChainSolution {
+  std::span<Vec3> relative_velocity;  ///< w = v − kappa·x, m/s
+  std::span<double>
+      tension;  ///< λ of the rod that begins here, N (axial parts of drag couples and bending included)
+};
+
+/// Solves, for every fiber with nodes k and rods i,
+///   sum over adjoining rods of drag + bending + loads = 0 at every node,    p_i · (v_{i+1} − v_i) = 0
+/// in the unknowns w_k = v_k − kappa·x_k and tensions λ_i: a symmetric saddle system, block-banded, solved by
+/// elimination along the fiber, eight fibers side by side (physics: docs/theory/particles.md).
+class ChainSolver {
+ public:
+  /// Groups the fibers of a state by rod count; call again whenever fibers have been added or split.
+  void arrange(const FiberState& state);
+  void solve(const ChainProblem& problem, ChainSolution solution);
+
+ private:
+  struct Group {
+    std::array<Index, ChainSystem::lanes> fiber;  ///< -1: lane unused
+    int nodes = 0;                                ///< of the longest fiber
+  };
+  std::vector<Group> groups_;
+  std::vector<ChainSystem> systems_;  ///< one a thread
+};
+
+/// Evaluates the drag of every rod for a viscosity of 1 Pa s; one entry a node, rods stand at their first
+/// node.
+[[nodiscard]] std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, DragLaw law);
+
+}  // namespace fiberfate

@@ -1,0 +1,53 @@
+// Lays out the linear systems of eight fibers side by side.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+
+namespace fiberfate {
+
+/// Holds, for eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
+/// tensions:
+///   diagonal_k w_k + coupling_{k-1}ᵀ w_{k-1} + coupling_k w_{k+1} + second_k (w_{k+2}, w_{k-2}) − p_k λ_k +
+///   p_{k−1} λ_{k−1} = load_k p_k · (w_{k+1} − w_k) + regular_k λ_k = stretch_k
+/// Symmetric blocks are xx, yy, zz, yz, zx, xy. A node of a lane that has fewer nodes is an identity with no
+/// load. The storage is plain doubles, [node][component][lane], because kernels of several instruction sets
+/// share it.
+class ChainSystem {
+ public:
+  static constexpr int lanes = 8;
+  /// First component of each part of a node's record, and the record's size.
+  enum Component {
+    diagonal = 0,
+    coupling = 6,
+    second = 12,
+    load = 13,
+    direction = 16,
+    stretch = 19,
+    regular = 20,
+    size = 21
+  };
+  /// Size of what elimination keeps of a node for back substitution.
+  static constexpr int kept = 28;
+
+  /// Makes room for `nodes` nodes (grows only).
+  void reserve(int nodes);
+  [[nodiscard]] double* record(int node) {
+    return records_.get() + static_cast<std::ptrdiff_t>(node) * size * lanes;
+  }
+  [[nodiscard]] double& at(int node, int component, int lane) {
+    return record(node)[component * lanes + lane];
+  }
+  [[nodiscard]] double* factors() { return factors_.get(); }
+
+ private:
+  struct Free {
+    void operator()(double* memory) const { std::free(memory); }
+  };
+  int capacity_ = 0;
+  std::unique_ptr<double[], Free> records_;
+  std::unique_ptr<double[], Free> factors_;
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,47 @@
+// Collects the forces that act on rods at points along them: contacts, walls.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+/// Acts on a rod at the point x = (1 − lever) x_k + lever x_{k+1} with the force
+///   force − resistance · w,   w = v − kappa·x at that point
+/// so that a force law may be implicit in the velocity. resistance is symmetric: xx, yy, zz, yz, zx, xy.
+struct RodLoad {
+  double lever = 0;
+  Vec3 force = Vec3::Zero();              ///< N
+  std::array<double, 6> resistance = {};  ///< N s/m
+};
+
+/// Holds all loads, grouped by rod (a rod is numbered by its first node), in a fixed order.
+class RodLoads {
+ public:
+  /// Holds no load on any of `nodes` rods.
+  explicit RodLoads(Index nodes = 0) : begin_(static_cast<std::size_t>(nodes) + 1, 0) {}
+
+  /// Starts to collect: tell the number of loads of every rod with count(), then place() them, in a fixed
+  /// order.
+  void reset(Index nodes);
+  void count(Index rod) { ++begin_[static_cast<std::size_t>(rod) + 1]; }
+  void allocate();
+  RodLoad& place(Index rod) {
+    return loads_[static_cast<std::size_t>(next_[static_cast<std::size_t>(rod)]++)];
+  }
+
+  [[nodiscard]] std::span<const RodLoad> of_rod(Index rod) const {
+    const auto r = static_cast<std::size_t>(rod);
+    return {loads_.data() + begin_[r], static_cast<std::size_t>(begin_[r + 1] - begin_[r])};
+  }
+
+ private:
+  std::vector<Index> begin_;
+  std::vector<Index> next_;
+  std::vector<RodLoad> loads_;
+};
+
+}  // namespace fiberfate
