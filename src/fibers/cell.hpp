@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <Eigen/LU>
 #include <array>
 
 #include "base/vector.hpp"
