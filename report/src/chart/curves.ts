@@ -1,0 +1,88 @@
+// The curves of a lines section: values scaled to the shown unit, with their ranges.
+import { is_number, type LinesSection, type Scale, type Series, type Value } from "../document";
+import { choose_unit, largest_magnitude, type ShownUnit } from "../format";
+import { pad_range } from "../figure/ticks";
+
+export interface Curve {
+  label: string;
+  style: "line" | "dashed" | "points";
+  colour: number;
+  visible: boolean;
+  x: Value[];
+  y: Value[];
+  low?: Value[];
+  high?: Value[];
+  /** The last finite value of the document, unscaled. */
+  last: Value;
+  source: Series;
+}
+
+export interface Curves {
+  curves: Curve[];
+  x_unit: ShownUnit;
+  y_unit: ShownUnit;
+  x_label: string;
+  y_label: string;
+}
+
+function scale_all(values: Value[], factor: number): Value[] {
+  return values.map((value) => (is_number(value) ? value * factor : null));
+}
+
+/** Scales a section's series to units that read well. */
+export function make_curves(section: LinesSection): Curves {
+  const shared = section.x.values ?? [];
+  const x_unit = choose_unit(section.x.unit, largest_magnitude(section.series.flatMap((series) => series.x ?? shared)));
+  const y_unit = choose_unit(section.y.unit, largest_magnitude(section.series.flatMap((series) => series.values)));
+  const curves = section.series.map((series, index): Curve => ({
+    label: series.label,
+    style: section.kind === "scatter" ? "points" : (series.style ?? "line"),
+    colour: index,
+    visible: true,
+    x: scale_all(series.x ?? shared, x_unit.factor),
+    y: scale_all(series.values, y_unit.factor),
+    low: series.low && scale_all(series.low, y_unit.factor),
+    high: series.high && scale_all(series.high, y_unit.factor),
+    last: series.values.filter(is_number).at(-1) ?? null,
+    source: series,
+  }));
+  return { curves, x_unit, y_unit, x_label: section.x.label, y_label: section.y.label };
+}
+
+/** Tells whether a value has a place on a scale. */
+export function fits(value: Value | undefined, scale: Scale): value is number {
+  return is_number(value) && (scale === "linear" || value > 0);
+}
+
+/** Gives the padded range in y of the visible curves between two x. */
+export function range_of_y(curves: Curve[], scale: Scale, from = -Infinity, to = Infinity): [number, number] {
+  let min = Infinity;
+  let max = -Infinity;
+  for (const curve of curves) {
+    if (!curve.visible) continue;
+    curve.x.forEach((x, k) => {
+      if (!is_number(x) || x < from || x > to) return;
+      for (const value of [curve.y[k], curve.low?.[k], curve.high?.[k]]) {
+        if (!fits(value, scale)) continue;
+        min = Math.min(min, value);
+        max = Math.max(max, value);
+      }
+    });
+  }
+  return pad_range(min, max, scale);
+}
+
+/** Gives the range in x of all curves, without room at the ends: time starts at the axis. */
+export function range_of_x(curves: Curve[], scale: Scale): [number, number] {
+  let min = Infinity;
+  let max = -Infinity;
+  for (const curve of curves) {
+    for (const x of curve.x) {
+      if (!fits(x, scale)) continue;
+      min = Math.min(min, x);
+      max = Math.max(max, x);
+    }
+  }
+  const scattered = curves.every((curve) => curve.style === "points");
+  return min < max && !scattered ? [min, max] : pad_range(min, max, scale);
+}

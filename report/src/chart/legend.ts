@@ -1,0 +1,55 @@
+// The legend of a chart: a button a curve that shows its value under the cursor and hides it on a click.
+import { make, make_label } from "../dom";
+import { write_number } from "../format";
+import type { Palette } from "../palette";
+import type { Curve, Curves } from "./curves";
+import { find_nearest } from "./nearest";
+
+export interface Legend {
+  element: HTMLElement;
+  /** Shows the values nearest to an x, or the last values where there is none. */
+  show: (x: number | undefined) => void;
+  colour: (palette: Palette) => void;
+}
+
+function make_entry(section: string, curve: Curve, unit: string, toggled: () => void): [HTMLElement, HTMLElement] {
+  const value = make("span", {
+    class: "value", "data-section": section, "data-series": curve.label, "data-last": curve.last ?? "",
+  });
+  const button = make(
+    "button",
+    { type: "button", "aria-pressed": "true", title: `Show or hide ${curve.label}` },
+    make("span", { class: `mark ${curve.style}`, "aria-hidden": "true" }),
+    make_label(curve.label), " ", value, unit ? ` ${unit}` : "",
+  );
+  button.addEventListener("click", () => {
+    curve.visible = !curve.visible;
+    button.setAttribute("aria-pressed", String(curve.visible));
+    toggled();
+  });
+  return [button, value];
+}
+
+/** Makes the legend; `toggled` is called when a curve is shown or hidden. */
+export function make_legend(section: string, made: Curves, toggled: () => void): Legend {
+  const entries = made.curves.map((curve) => make_entry(section, curve, made.y_unit.unit, toggled));
+  const where = make("span", { class: "where", "aria-live": "off" });
+  const element = make("div", { class: "legend" }, ...entries.map(([button]) => button), where);
+  const show = (x: number | undefined): void => {
+    made.curves.forEach((curve, k) => {
+      const index = x === undefined ? undefined : find_nearest(curve, x);
+      const last = curve.last === null ? null : curve.last * made.y_unit.factor;
+      entries[k]![1].textContent = write_number(index === undefined ? last : curve.y[index]);
+    });
+    where.replaceChildren();
+    if (x === undefined) where.append("last values");
+    else where.append("at ", make_label(made.x_label), ` ${write_number(x)} ${made.x_unit.unit}`);
+  };
+  const colour = (palette: Palette): void => {
+    made.curves.forEach((curve, k) => {
+      entries[k]![0].style.setProperty("--series", palette.series[curve.colour % palette.series.length]!);
+    });
+  };
+  show(undefined);
+  return { element, show, colour };
+}

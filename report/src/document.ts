@@ -1,0 +1,127 @@
+// The report document, schema 1, as the C++ program writes it (docs/formats/report.md).
+
+/** A number; null stands for NaN or infinity. */
+export type Value = number | null;
+export type Scale = "linear" | "log";
+
+export interface Axis {
+  label: string;
+  unit?: string;
+  scale?: Scale;
+  values?: Value[];
+}
+
+interface SectionBase {
+  id: string;
+  title: string;
+  caption?: string;
+}
+
+export interface Fact {
+  label: string;
+  value: string | Value | Value[][];
+  unit?: string;
+  note?: string;
+}
+export interface FactsSection extends SectionBase {
+  kind: "facts";
+  rows: Fact[];
+}
+
+export interface Series {
+  label: string;
+  values: Value[];
+  x?: Value[];
+  style?: "line" | "dashed" | "points";
+  low?: Value[];
+  high?: Value[];
+}
+export interface LinesSection extends SectionBase {
+  kind: "lines" | "scatter";
+  x: Axis;
+  y: Axis;
+  series: Series[];
+}
+
+export interface HistogramFrame {
+  label: string;
+  values: Value[];
+}
+export interface HistogramSection extends SectionBase {
+  kind: "histogram";
+  x: Axis;
+  y: Axis;
+  edges: number[];
+  frames: HistogramFrame[];
+  reference?: HistogramFrame;
+}
+
+export interface TableSection extends SectionBase {
+  kind: "table";
+  columns: { label: string; unit?: string }[];
+  rows: (string | Value)[][];
+}
+
+export interface HeatmapSection extends SectionBase {
+  kind: "heatmap";
+  x: Axis;
+  y: Axis;
+  values: Value[][];
+  label?: string;
+  unit?: string;
+}
+
+/** One state of the cell; binary parts are base64 of little-endian numbers, lengths in metres. */
+export interface FiberFrame {
+  time_s: number;
+  lattice: number[];
+  origin?: number[];
+  periodic?: boolean[];
+  offsets: string;
+  points: string;
+  birth: string;
+  radius: string;
+}
+export interface FibersSection extends SectionBase {
+  kind: "fibers";
+  frames: FiberFrame[];
+}
+
+export type Section =
+  | FactsSection
+  | LinesSection
+  | HistogramSection
+  | TableSection
+  | HeatmapSection
+  | FibersSection;
+
+export interface ReportDocument {
+  schema: number;
+  title: string;
+  subtitle?: string;
+  study?: string;
+  version?: string;
+  stop_reason?: string;
+  sections: Section[];
+}
+
+export const known_schema = 1;
+
+/** Reads the document out of the page, or says why there is none to show. */
+export function read_document(): ReportDocument {
+  const text = document.getElementById("fiberfate-document")?.textContent ?? "";
+  const parsed: unknown = JSON.parse(text);
+  if (typeof parsed !== "object" || parsed === null) {
+    throw new Error("this page is the empty template; `fiberfate report DIR` fills it");
+  }
+  const found = parsed as ReportDocument;
+  if (found.schema !== known_schema) {
+    throw new Error(`the document has schema ${found.schema}, this page reads schema ${known_schema}`);
+  }
+  return found;
+}
+
+/** Tells whether a value is a finite number. */
+export function is_number(value: unknown): value is number {
+  return typeof value === "number" && Number.isFinite(value);
+}

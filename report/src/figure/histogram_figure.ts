@@ -1,0 +1,78 @@
+// A histogram as a vector figure: one filled frame, or several laid over each other.
+import { is_number, type Value } from "../document";
+import { make_svg } from "../dom";
+import { choose_unit, largest_magnitude, write_axis_title, write_number } from "../format";
+import { css_colour, type Palette, sample_map } from "../palette";
+import type { HistogramSection } from "../document";
+import { type Frame, make_frame } from "./frame";
+import { draw_legend, type LegendEntry, measure_legend } from "./legend";
+import { pad_range } from "./ticks";
+
+/** Colours times along a map from early to late; a lone time has the first series colour. */
+export function frame_colour(index: number, count: number, palette: Palette): string {
+  if (count === 1) return palette.series[0]!;
+  return css_colour(sample_map("viridis", 0.12 + (0.7 * index) / (count - 1)));
+}
+
+function outline(frame: Frame, edges: number[], values: Value[], base: number): string {
+  let path = "";
+  values.forEach((value, bin) => {
+    const height = frame.to_y(is_number(value) ? value : base);
+    path += `${bin === 0 ? `M${frame.to_x(edges[0]!)},${frame.to_y(base)}` : ""}V${height}H${frame.to_x(edges[bin + 1]!)}`;
+  });
+  return `${path}V${frame.to_y(base)}`;
+}
+
+function draw_bars(frame: Frame, section: HistogramSection, chosen: number, colour: string, scaled: number[]): void {
+  const shown = section.frames[chosen]!;
+  const group = make_svg("g", { class: "bars", "data-frame": shown.label, fill: colour, "fill-opacity": 0.55 });
+  shown.values.forEach((value, bin) => {
+    const left = frame.to_x(scaled[bin]!);
+    const width = frame.to_x(scaled[bin + 1]!) - left;
+    const top = frame.to_y(is_number(value) ? value : 0);
+    const label = `${shown.label}: ${write_number(scaled[bin])} to ${write_number(scaled[bin + 1])}, ${write_number(value)}`;
+    const bar = make_svg(
+      "rect",
+      { x: left, width: Math.max(0, width), y: top, height: Math.max(0, frame.to_y(0) - top), "data-value": value ?? "" },
+      make_svg("title", {}, label),
+    );
+    group.append(bar);
+  });
+  frame.plot.append(group);
+  frame.plot.append(make_svg("path", {
+    d: outline(frame, scaled, shown.values, 0), fill: "none", stroke: colour, "stroke-width": 1.8,
+  }));
+}
+
+/** Draws the chosen frames of a histogram, and its reference as a dashed outline. */
+export function draw_histogram(section: HistogramSection, chosen: number[], palette: Palette, legend: boolean): SVGSVGElement {
+  const { frames, reference, edges } = section;
+  const x_unit = choose_unit(section.x.unit, largest_magnitude(edges));
+  const y_unit = choose_unit(section.y.unit, 0);
+  const scaled = edges.map((edge) => edge * x_unit.factor);
+  // All frames share the height, so that times can be compared by switching.
+  const every = [...frames.flatMap((frame) => frame.values), ...(reference?.values ?? [])];
+  const entries: LegendEntry[] = chosen.map((index) => ({
+    label: frames[index]!.label, colour: frame_colour(index, frames.length, palette), mark: "box",
+  }));
+  if (reference) entries.push({ label: reference.label, colour: palette.ink, mark: "dashed" });
+  const frame = make_frame({
+    x: { title: write_axis_title(section.x.label, x_unit.unit), min: scaled[0]!, max: scaled.at(-1)!, scale: "linear" },
+    y: {
+      title: write_axis_title(section.y.label, y_unit.unit),
+      min: 0, max: pad_range(0, largest_magnitude(every), "linear")[1], scale: "linear",
+    },
+    palette,
+    description: `${section.title}: histogram of ${section.x.label} at ${chosen.map((index) => frames[index]!.label).join(", ")}`,
+    top: legend ? measure_legend(entries) : 0,
+  });
+  for (const index of chosen) draw_bars(frame, section, index, frame_colour(index, frames.length, palette), scaled);
+  if (reference) {
+    frame.plot.append(make_svg("path", {
+      class: "reference", d: outline(frame, scaled, reference.values, 0), fill: "none",
+      stroke: palette.ink, "stroke-width": 1.6, "stroke-dasharray": "6 4",
+    }));
+  }
+  if (legend) draw_legend(frame.svg, entries, palette);
+  return frame.svg;
+}

@@ -1,0 +1,57 @@
+// The legend of a vector figure: a row of samples and names above the plot.
+import { make_svg } from "../dom";
+import { split_label } from "../format";
+import type { Palette } from "../palette";
+import { figure_width, make_svg_text } from "./frame";
+
+export interface LegendEntry {
+  label: string;
+  colour: string;
+  mark: "line" | "dashed" | "points" | "box";
+}
+
+const row_height = 22;
+
+function estimate_width(label: string): number {
+  return 44 + 7.2 * split_label(label).reduce((sum, part) => sum + part.text.length, 0);
+}
+
+function place(entries: LegendEntry[]): { x: number; y: number }[] {
+  let x = 78;
+  let y = 18;
+  return entries.map(({ label }) => {
+    const width = estimate_width(label);
+    if (x > 78 && x + width > figure_width) {
+      x = 78;
+      y += row_height;
+    }
+    const at = { x, y };
+    x += width;
+    return at;
+  });
+}
+
+/** Gives the height that a legend takes. */
+export function measure_legend(entries: LegendEntry[]): number {
+  if (entries.length === 0) return 0;
+  return Math.max(...place(entries).map(({ y }) => y)) + 4;
+}
+
+function draw_mark(entry: LegendEntry, x: number, y: number): SVGElement {
+  const { colour, mark } = entry;
+  if (mark === "box") return make_svg("rect", { x, y: y - 6, width: 20, height: 12, fill: colour, "fill-opacity": 0.6 });
+  if (mark === "points") return make_svg("circle", { cx: x + 10, cy: y, r: 3.5, fill: colour });
+  const dash = mark === "dashed" ? "6 4" : undefined;
+  return make_svg("line", {
+    x1: x, x2: x + 22, y1: y, y2: y, stroke: colour, "stroke-width": 2, "stroke-dasharray": dash,
+  });
+}
+
+export function draw_legend(svg: SVGSVGElement, entries: LegendEntry[], palette: Palette): void {
+  const places = place(entries);
+  entries.forEach((entry, k) => {
+    const { x, y } = places[k]!;
+    svg.append(draw_mark(entry, x, y - 4));
+    svg.append(make_svg_text(entry.label, { x: x + 28, y, "font-size": 13, fill: palette.ink }));
+  });
+}

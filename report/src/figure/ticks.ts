@@ -1,0 +1,49 @@
+// Where an axis has its ticks.
+import type { Scale } from "../document";
+
+/** Gives round values (1, 2, 5 times a power of ten) inside a range, about `count` of them. */
+export function linear_ticks(min: number, max: number, count: number): number[] {
+  if (!(max > min)) return [min];
+  const rough = (max - min) / count;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((k) => k * power).find((candidate) => candidate >= rough * 0.999)!;
+  const ticks: number[] = [];
+  for (let k = Math.ceil(min / step - 1e-9); k * step <= max + 1e-9 * step; ++k) {
+    ticks.push(Number((k * step).toPrecision(12)));
+  }
+  return ticks;
+}
+
+/** Gives the powers of ten inside a range, and their 2 and 5 fold where the range is short. */
+export function log_ticks(min: number, max: number): number[] {
+  const decades = Math.log10(max / min);
+  const factors = decades < 1 ? [1, 2, 3, 5, 7] : decades < 2.5 ? [1, 2, 5] : [1];
+  const stride = Math.max(1, Math.ceil(decades / 8));
+  const ticks: number[] = [];
+  for (let power = Math.floor(Math.log10(min)); power <= Math.ceil(Math.log10(max)); ++power) {
+    if (power % stride !== 0) continue;
+    for (const factor of factors) {
+      const tick = Number((factor * 10 ** power).toPrecision(6));
+      if (tick >= min * 0.9999 && tick <= max * 1.0001) ticks.push(tick);
+    }
+  }
+  return ticks.length >= 2 ? ticks : linear_ticks(min, max, 4).filter((tick) => tick > 0);
+}
+
+export function make_ticks(min: number, max: number, scale: Scale, count: number): number[] {
+  return scale === "log" ? log_ticks(min, max) : linear_ticks(min, max, count);
+}
+
+/** Widens a range to where it reads well: room at both ends, and from zero where zero is near. */
+export function pad_range(min: number, max: number, scale: Scale): [number, number] {
+  if (!Number.isFinite(min) || !Number.isFinite(max)) return scale === "log" ? [1, 10] : [0, 1];
+  if (scale === "log") {
+    const room = Math.max((max / min) ** 0.05, 1.1);
+    return [min / room, max * room];
+  }
+  if (min === max) return min === 0 ? [0, 1] : [min - Math.abs(min) * 0.5, max + Math.abs(max) * 0.5];
+  const room = 0.06 * (max - min);
+  const low = min >= 0 && min < 0.35 * max ? 0 : min - room;
+  const high = max <= 0 && max > 0.35 * min ? 0 : max + room;
+  return [low, high];
+}

@@ -1,0 +1,77 @@
+// Colours of figures in light and dark surroundings, and the colour maps of quantities.
+
+export interface Palette {
+  ink: string;
+  muted: string;
+  grid: string;
+  surface: string;
+  series: string[];
+}
+
+/** Series colours keep their order of lightness for readers who do not tell hues apart. */
+export const light_palette: Palette = {
+  ink: "#1b1f24",
+  muted: "#59616b",
+  grid: "#e6e8eb",
+  surface: "#ffffff",
+  series: ["#1f5fa8", "#cf5a2c", "#2b8a61", "#7f4aa0", "#b28704", "#2f93a8", "#b0396f", "#6b7078"],
+};
+
+export const dark_palette: Palette = {
+  ink: "#e8eaed",
+  muted: "#9aa3ad",
+  grid: "#2d3238",
+  surface: "#16191d",
+  series: ["#78aef2", "#f2946c", "#63c59a", "#c193e0", "#e3bb4e", "#6fcbe0", "#ee88b4", "#a9afb7"],
+};
+
+const dark_scheme = window.matchMedia("(prefers-color-scheme: dark)");
+
+export function current_palette(): Palette {
+  return dark_scheme.matches ? dark_palette : light_palette;
+}
+
+/** Calls back whenever the reader's colour scheme changes. */
+export function watch_scheme(action: () => void): void {
+  dark_scheme.addEventListener("change", action);
+}
+
+type Rgb = [number, number, number];
+
+// Nine samples each of viridis and of cividis-like "ember"; linear interpolation between is not visible.
+const maps = {
+  viridis: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"],
+  inferno: ["#1b0c41", "#4a0c6b", "#781c6d", "#a52c60", "#cf4446", "#ed6925", "#fb9b06", "#f7d13d", "#fcffa4"],
+};
+export type ColourMap = keyof typeof maps;
+
+function parse(hex: string): Rgb {
+  const bits = Number.parseInt(hex.slice(1), 16);
+  return [bits >> 16, (bits >> 8) & 255, bits & 255];
+}
+
+/** Gives the colour of a fraction in [0, 1] as 8-bit red, green, blue. */
+export function sample_map(name: ColourMap, fraction: number): Rgb {
+  const stops = maps[name];
+  const at = Math.min(1, Math.max(0, fraction)) * (stops.length - 1);
+  const below = Math.min(stops.length - 2, Math.floor(at));
+  const a = parse(stops[below]!);
+  const b = parse(stops[below + 1]!);
+  return a.map((value, k) => Math.round(value + (b[k]! - value) * (at - below))) as Rgb;
+}
+
+export function css_colour(rgb: Rgb): string {
+  return `rgb(${rgb.join(",")})`;
+}
+
+/** Gives the n-th of any number of distinguishable colours: hues apart by the golden angle, three lightnesses. */
+export function category_colour(index: number): Rgb {
+  const hue = (index * 137.50776 + 210) % 360;
+  const lightness = [0.52, 0.64, 0.43][index % 3]!;
+  const chroma = 0.55 * (1 - Math.abs(2 * lightness - 1));
+  const channel = (shift: number): number => {
+    const k = (shift + hue / 30) % 12;
+    return Math.round(255 * (lightness - (chroma / 2) * Math.max(-1, Math.min(k - 3, 9 - k, 1))));
+  };
+  return [channel(0), channel(8), channel(4)];
+}

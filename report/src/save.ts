@@ -1,0 +1,57 @@
+// Saving figures and their numbers as files: SVG, PNG, CSV.
+
+function download(name: string, blob: Blob): void {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The click starts the download at a later turn of the event loop.
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+/** A column of a CSV file; its header carries the unit. */
+export interface Column {
+  header: string;
+  values: readonly (number | string | null | undefined)[];
+}
+
+function quote(text: string): string {
+  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+/** Writes columns as CSV with full precision; an undefined number is an empty cell. */
+export function write_csv(columns: Column[]): string {
+  const length = Math.max(0, ...columns.map((column) => column.values.length));
+  const lines = [columns.map((column) => quote(column.header)).join(",")];
+  for (let row = 0; row < length; ++row) {
+    lines.push(columns.map((column) => quote(String(column.values[row] ?? ""))).join(","));
+  }
+  return lines.join("\n") + "\n";
+}
+
+export function save_csv(name: string, columns: Column[]): void {
+  download(`${name}.csv`, new Blob([write_csv(columns)], { type: "text/csv" }));
+}
+
+export function save_svg(name: string, figure: SVGSVGElement): void {
+  const text = new XMLSerializer().serializeToString(figure);
+  download(`${name}.svg`, new Blob([text], { type: "image/svg+xml" }));
+}
+
+/** Saves a figure as PNG at three times its nominal size (about 300 dpi at column width). */
+export async function save_png(name: string, figure: SVGSVGElement): Promise<void> {
+  const scale = 3;
+  const text = new XMLSerializer().serializeToString(figure);
+  const picture = new Image();
+  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+  await picture.decode();
+  const canvas = document.createElement("canvas");
+  canvas.width = scale * figure.viewBox.baseVal.width;
+  canvas.height = scale * figure.viewBox.baseVal.height;
+  canvas.getContext("2d")?.drawImage(picture, 0, 0, canvas.width, canvas.height);
+  save_canvas(name, canvas);
+}
+
+export function save_canvas(name: string, canvas: HTMLCanvasElement): void {
+  canvas.toBlob((blob) => blob && download(`${name}.png`, blob), "image/png");
+}

@@ -1,0 +1,97 @@
+// One state of the cell, decoded from the document and measured.
+import type { FiberFrame } from "../document";
+
+export interface CellFrame {
+  time_s: number;
+  /** Row-major; columns are the lattice vectors [m]. */
+  lattice: number[];
+  origin: [number, number, number];
+  periodic: boolean[];
+  /** Node offsets, fibers + 1. */
+  offsets: Int32Array;
+  /** Nodes, xyz [m]. */
+  points: Float32Array;
+  birth: Int32Array;
+  radius: Float32Array;
+  fibers: number;
+  rods: number;
+}
+
+/** What follows from a frame's nodes. */
+export interface Measures {
+  /** Length of each fiber [m]. */
+  length: Float32Array;
+  /** Curvature 1/R at each node [1/m]; zero at free ends and where three nodes lie on a line. */
+  curvature: Float32Array;
+  /** The largest curvature of each fiber [1/m]. */
+  sharpest: Float32Array;
+}
+
+function decode_base64(text: string): ArrayBuffer {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let k = 0; k < binary.length; ++k) bytes[k] = binary.charCodeAt(k);
+  return bytes.buffer;
+}
+
+/** Decodes a frame; throws where its parts do not belong together. */
+export function decode_frame(frame: FiberFrame): CellFrame {
+  const offsets = new Int32Array(decode_base64(frame.offsets));
+  const points = new Float32Array(decode_base64(frame.points));
+  const birth = new Int32Array(decode_base64(frame.birth));
+  const radius = new Float32Array(decode_base64(frame.radius));
+  const fibers = Math.max(0, offsets.length - 1);
+  const nodes = offsets[fibers] ?? 0;
+  if (points.length !== 3 * nodes || birth.length !== fibers || radius.length !== fibers) {
+    throw new Error(`the frame at ${frame.time_s} s has ${fibers} fibers and ${nodes} nodes, but ${points.length / 3} points, ${birth.length} birth ids, ${radius.length} radii`);
+  }
+  return {
+    time_s: frame.time_s,
+    lattice: frame.lattice,
+    origin: [frame.origin?.[0] ?? 0, frame.origin?.[1] ?? 0, frame.origin?.[2] ?? 0],
+    periodic: frame.periodic ?? [true, true, true],
+    offsets, points, birth, radius, fibers,
+    rods: nodes - fibers,
+  };
+}
+
+function distance(points: Float32Array, a: number, b: number): number {
+  return Math.hypot(points[3 * b]! - points[3 * a]!, points[3 * b + 1]! - points[3 * a + 1]!, points[3 * b + 2]! - points[3 * a + 2]!);
+}
+
+/**
+ * Gives the curvature of the circle through nodes n-1, n, n+1: 1/R = 4 area / (a b c).
+ * Below what single precision can tell from a straight line it is zero.
+ */
+function curvature_at(points: Float32Array, n: number): number {
+  const u = [0, 1, 2].map((k) => points[3 * n + k]! - points[3 * n - 3 + k]!) as [number, number, number];
+  const v = [0, 1, 2].map((k) => points[3 * n + 3 + k]! - points[3 * n + k]!) as [number, number, number];
+  const cross = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+  const a = Math.hypot(...u);
+  const b = Math.hypot(...v);
+  const c = distance(points, n - 1, n + 1);
+  const product = a * b * c;
+  if (!(product > 0)) return 0;
+  const largest = Math.max(Math.abs(points[3 * n]!), Math.abs(points[3 * n + 1]!), Math.abs(points[3 * n + 2]!));
+  const round_off = 4 * 1.2e-7 * largest * (a + b);
+  return cross <= round_off ? 0 : (2 * cross) / product;
+}
+
+export function measure_frame(frame: CellFrame): Measures {
+  const { offsets, points, fibers } = frame;
+  const length = new Float32Array(fibers);
+  const sharpest = new Float32Array(fibers);
+  const curvature = new Float32Array(points.length / 3);
+  for (let fiber = 0; fiber < fibers; ++fiber) {
+    const first = offsets[fiber]!;
+    const last = offsets[fiber + 1]! - 1;
+    let sum = 0;
+    for (let node = first; node < last; ++node) {
+      sum += distance(points, node, node + 1);
+      if (node > first) curvature[node] = curvature_at(points, node);
+      sharpest[fiber] = Math.max(sharpest[fiber]!, curvature[node]!);
+    }
+    length[fiber] = sum;
+  }
+  return { length, curvature, sharpest };
+}

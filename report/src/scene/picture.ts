@@ -1,0 +1,30 @@
+// The view as a picture for a paper: pixels of the scene with the colour bar beside them.
+import { light_palette } from "../palette";
+import type { ColourScale } from "./colouring";
+import { make_colour_bar } from "./colour_bar";
+
+/** Lays the scene and its colour bar onto one white canvas. */
+export async function compose_picture(scene: HTMLCanvasElement, scale: ColourScale): Promise<HTMLCanvasElement> {
+  const picture = document.createElement("canvas");
+  const zoom = scene.height / 520;
+  const margin = 150 * zoom;
+  picture.width = scene.width + margin;
+  picture.height = scene.height;
+  const pen = picture.getContext("2d")!;
+  pen.fillStyle = light_palette.surface;
+  pen.fillRect(0, 0, picture.width, picture.height);
+  // The scene is copied before the first wait: its canvas is drawn anew afterwards.
+  pen.drawImage(scene, 0, 0);
+  const bar = make_colour_bar(scale, light_palette);
+  const svg = bar.querySelector("svg")!;
+  const image = new Image();
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(new XMLSerializer().serializeToString(svg))}`;
+  await image.decode();
+  const { width, height } = svg.viewBox.baseVal;
+  const top = (picture.height - height * zoom) / 2;
+  pen.drawImage(image, scene.width + 10 * zoom, top, width * zoom, height * zoom);
+  pen.fillStyle = light_palette.ink;
+  pen.font = `${14 * zoom}px ${getComputedStyle(document.body).fontFamily}`;
+  pen.fillText(bar.querySelector("span")!.textContent ?? "", scene.width + 10 * zoom, top + 4 * zoom);
+  return picture;
+}

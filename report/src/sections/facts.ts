@@ -1,0 +1,40 @@
+// The section "facts": labelled values, with tensors as small matrices.
+import type { Fact, FactsSection, Value } from "../document";
+import { make, make_label } from "../dom";
+import { write_number, write_quantity, write_unit } from "../format";
+import { make_section } from "./parts";
+
+function make_matrix(rows: Value[][]): HTMLElement {
+  const body = make("tbody", {});
+  for (const row of rows) {
+    body.append(make("tr", {}, ...row.map((value) => make("td", {}, write_number(value)))));
+  }
+  return make("table", { class: "matrix" }, body);
+}
+
+function make_value(fact: Fact): Node {
+  if (Array.isArray(fact.value)) {
+    const matrix = make_matrix(fact.value);
+    const unit = write_unit(fact.unit);
+    return make("span", { class: "tensor" }, matrix, unit ? ` ${unit}` : "");
+  }
+  if (typeof fact.value === "string") {
+    const unit = write_unit(fact.unit);
+    return document.createTextNode(unit ? `${fact.value}\u00a0${unit}` : fact.value);
+  }
+  return document.createTextNode(write_quantity(fact.value, fact.unit));
+}
+
+function make_row(section: string, fact: Fact): HTMLElement {
+  const raw = Array.isArray(fact.value) ? JSON.stringify(fact.value) : (fact.value ?? "");
+  const data = { "data-section": section, "data-label": fact.label, "data-value": raw };
+  const value = make("dd", data, make_value(fact));
+  if (fact.note) value.append(make("small", {}, make_label(fact.note)));
+  return make("div", {}, make("dt", {}, make_label(fact.label)), value);
+}
+
+export function render_facts(section: FactsSection): HTMLElement {
+  const { element, figure } = make_section(section);
+  figure.append(make("dl", {}, ...section.rows.map((fact) => make_row(section.id, fact))));
+  return element;
+}

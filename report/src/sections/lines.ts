@@ -1,0 +1,77 @@
+// The sections "lines" and "scatter": curves with legend, zoom, scales and files to save.
+import { make_curves, type Curves } from "../chart/curves";
+import { make_legend } from "../chart/legend";
+import { make_line_chart } from "../chart/line_chart";
+import { is_number, type LinesSection, type Scale } from "../document";
+import { make, make_button, make_label, make_toggle } from "../dom";
+import { draw_lines, type View } from "../figure/lines_figure";
+import { write_axis_title } from "../format";
+import { current_palette, light_palette, watch_scheme } from "../palette";
+import { add_print_figure } from "../print";
+import type { Column } from "../save";
+import { make_section } from "./parts";
+import { add_save_buttons } from "./save_buttons";
+
+/** Gives the numbers as they are in the document, in its units. */
+function make_columns(section: LinesSection): Column[] {
+  const header = (label: string, unit?: string): string => (unit ? `${label} [${unit}]` : label);
+  const columns: Column[] = [];
+  if (section.x.values) columns.push({ header: header(section.x.label, section.x.unit), values: section.x.values });
+  for (const series of section.series) {
+    if (series.x) columns.push({ header: header(`${section.x.label} of ${series.label}`, section.x.unit), values: series.x });
+    columns.push({ header: header(series.label, section.y.unit), values: series.values });
+    if (series.low) columns.push({ header: header(`${series.label} low`, section.y.unit), values: series.low });
+    if (series.high) columns.push({ header: header(`${series.label} high`, section.y.unit), values: series.high });
+  }
+  return columns;
+}
+
+function has_positive(made: Curves, axis: "x" | "y"): boolean {
+  return made.curves.some((curve) => curve[axis].some((value) => is_number(value) && value > 0));
+}
+
+function make_axis_title(label: string, unit: string, side: "x" | "y"): HTMLElement {
+  return make("div", { class: `axis-title ${side}` }, make_label(write_axis_title(label, unit)));
+}
+
+export function render_lines(section: LinesSection): HTMLElement {
+  const { element, controls, figure } = make_section(section);
+  const made = make_curves(section);
+  const scales: { x: Scale; y: Scale } = {
+    x: section.x.scale === "log" && has_positive(made, "x") ? "log" : "linear",
+    y: section.y.scale === "log" && has_positive(made, "y") ? "log" : "linear",
+  };
+  const legend = make_legend(section.id, made, () => chart().rebuild());
+  const host = make("div", { class: "chart", role: "img", "aria-label": `${made.y_label} against ${made.x_label}` });
+  figure.append(
+    legend.element,
+    make_axis_title(made.y_label, made.y_unit.unit, "y"), host,
+    make_axis_title(made.x_label, made.x_unit.unit, "x"),
+  );
+  let built: ReturnType<typeof make_line_chart> | undefined;
+  const chart = (): ReturnType<typeof make_line_chart> => (built ??= make_line_chart({ host, made, scales, moved: legend.show }));
+  const view = (): View => ({ x_scale: scales.x, y_scale: scales.y, x_range: chart().zoomed() });
+  const paper = (): SVGSVGElement => draw_lines(section.title, made, view(), light_palette);
+
+  for (const axis of ["x", "y"] as const) {
+    if (!has_positive(made, axis)) continue;
+    controls.append(make_toggle(`log ${axis}`, `Logarithmic ${axis} axis`, scales[axis] === "log", (on) => {
+      scales[axis] = on ? "log" : "linear";
+      chart().reset_zoom();
+    }));
+  }
+  controls.append(
+    make_button("All", "Show the whole range again (or double-click the chart); drag across it to zoom", () => chart().reset_zoom()),
+  );
+  const recolour = (): void => {
+    legend.colour(current_palette());
+    built?.rebuild();
+  };
+  watch_scheme(recolour);
+  recolour();
+  add_save_buttons(controls, section.id, paper, () => make_columns(section));
+  add_print_figure(figure, paper);
+  // The chart takes its width from the page, which this element joins only after this function.
+  requestAnimationFrame(() => chart());
+  return element;
+}

@@ -1,0 +1,23 @@
+// What every section of the page is made of: a heading, a caption, a row of controls, a figure.
+import { make, make_label } from "../dom";
+
+export interface SectionParts {
+  element: HTMLElement;
+  controls: HTMLElement;
+  figure: HTMLElement;
+}
+
+/** Makes the frame of a section that shows a figure with controls. */
+export function make_section(section: { id: string; title: string; caption?: string; kind: string }): SectionParts {
+  const controls = make("div", { class: "controls", role: "group", "aria-label": `Controls of ${section.title}` });
+  const figure = make("figure", {});
+  const heading = make("h2", { id: `${section.id}-title` }, make_label(section.title));
+  const element = make(
+    "section",
+    { id: section.id, class: `kind-${section.kind}`, "aria-labelledby": `${section.id}-title` },
+    make("header", {}, heading, controls),
+    figure,
+  );
+  if (section.caption) element.append(make("p", { class: "caption" }, make_label(section.caption)));
+  return { element, controls, figure };
+}
