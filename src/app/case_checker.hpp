@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -15,8 +16,9 @@ enum class NamedFiles { must_exist, may_be_gone };
 /// Serves a study's validate(): it reports problems by key and looks up places by itself.
 class CaseChecker {
  public:
-  explicit CaseChecker(const TomlDocument& document, NamedFiles named_files = NamedFiles::must_exist)
-      : document_(document), named_files_(named_files) {}
+  /// Takes the document with the errors found so far in reading it.
+  CaseChecker(const TomlDocument& document, std::vector<InputProblem> errors, NamedFiles named_files)
+      : document_(document), errors_(std::move(errors)), named_files_(named_files) {}
 
   /// Reports an error at a key; where the key is not given, at the file.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
@@ -24,6 +26,10 @@ class CaseChecker {
   void warn(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Tells whether the case gives the key itself.
   [[nodiscard]] bool is_given(const std::string& key) const { return document_.find(key) != nullptr; }
+  /// Tells whether nothing is wrong so far, so that all values may be relied on.
+  [[nodiscard]] bool is_sound() const { return errors_.empty(); }
+  /// Tells whether nothing is wrong with this key so far.
+  [[nodiscard]] bool is_sound(const std::string& key) const;
   /// Cites a key with its place for use inside a message: `fibers.count = 100 (line 12)`.
   [[nodiscard]] std::string cite(const std::string& key) const;
   /// Reports an error unless the file exists and can be read.
@@ -36,9 +42,9 @@ class CaseChecker {
   [[nodiscard]] InputProblem problem(const std::string& key, const std::string& complaint,
                                      const std::string& remedy) const;
   const TomlDocument& document_;
-  NamedFiles named_files_;
   std::vector<InputProblem> errors_;
   std::vector<InputProblem> warnings_;
+  NamedFiles named_files_;
 };
 
 }  // namespace fiberfate

@@ -41,8 +41,8 @@ struct Key {
   KeyNotes notes;
   std::string kind;  ///< "quantity", "whole number", "choice", …, for explanations
   std::vector<std::pair<std::string, std::string>> choices;  ///< name and meaning, for a choice
-  /// Reads a value into the member; tells what is wrong with it, if anything.
-  std::function<std::optional<Complaint>(const TomlValue&)> read;
+  /// Reads a value into the member; tells all that is wrong with it.
+  std::function<std::vector<Complaint>(const TomlValue&)> read;
   /// Writes the member as TOML; empty when it is not given.
   std::function<std::string(NumberStyle)> write;
 
@@ -60,6 +60,9 @@ struct Section {
 /// members' values at that moment are the defaults. The case must outlive the table.
 class KeyTable {
  public:
+  /// Takes the folder against which relative paths are read.
+  explicit KeyTable(std::string folder = ".") : folder_(std::move(folder)) {}
+
   void section(std::string name, std::string text);
 
   void quantity(const std::string& key, double& member, KeyNotes notes);
@@ -114,15 +117,13 @@ class KeyTable {
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
   [[nodiscard]] const Key* find(const std::string& key) const;
 
-  /// The folder against which relative paths are read.
-  std::string folder = ".";
-
  private:
   void add_count(const std::string& key, KeyNotes notes, std::function<std::optional<std::int64_t>()> value,
                  std::function<void(std::int64_t)> set);
   void add_choice(const std::string& key, KeyNotes notes,
                   std::vector<std::pair<std::string, std::string>> names, std::function<std::size_t()> index,
                   std::function<void(std::size_t)> set);
+  std::string folder_;
   std::vector<Section> sections_;
   std::vector<Key> keys_;
 };

@@ -15,6 +15,7 @@ namespace fiberfate {
 struct Complaint {
   std::string what;
   std::string remedy;
+  const TomlValue* at = nullptr;  ///< the item of a list that is at fault; null: the whole value
 };
 
 /// Says how numbers are written: with a unit that people use, or bare in SI so that reading gives the same

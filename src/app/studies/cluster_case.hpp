@@ -5,15 +5,16 @@
 
 #include "app/case_checker.hpp"
 #include "app/key_table.hpp"
-#include "app/studies/population_case.hpp"
+#include "app/studies/sample_case.hpp"
 #include "app/study.hpp"
 
 namespace fiberfate {
 
 struct ClusterCase {
-  Population population;
-  std::uint64_t seed = 1;  ///< run.seed
-  int threads = 0;         ///< run.threads; 0: all that the machine has
+  SampleCase sample;
+  ContactParameters contact;  ///< under which the packing comes to rest
+  std::uint64_t seed = 1;     ///< run.seed
+  int threads = 0;            ///< run.threads; 0: all that the machine has
 };
 
 void describe_cluster(KeyTable& table, ClusterCase& values);

@@ -5,7 +5,7 @@
 
 #include "app/case_checker.hpp"
 #include "app/key_table.hpp"
-#include "app/studies/population_case.hpp"
+#include "app/studies/sample_case.hpp"
 #include "app/study.hpp"
 #include "dynamics/parameters.hpp"
 #include "fibers/cell.hpp"
@@ -46,7 +46,7 @@ struct RunChoices {
 };
 
 struct ShearCellCase {
-  Population population;
+  SampleCase sample;
   FlowChoices flow;
   Boundary boundary_y = Boundary::periodic;
   DynamicsParameters dynamics;  ///< [drag], [contact], [breakage], [step] and run.seed
