@@ -1,0 +1,251 @@
+// Draws fiber lengths from one value, a histogram, a list, or a Weibull or log-normal law with given mean
+// lengths.
+#include "microstructure/length_distribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/random.hpp"
+
+namespace fiberfate {
+namespace {
+
+// Rows of random counters, so that the uses of the length stream stay independent.
+enum Draw : std::uint32_t { place_draw = 0, deal_draw = 1 };
+
+double draw(std::uint64_t seed, std::size_t i, Draw which) {
+  return uniform(seed, RandomStream::length, {static_cast<std::uint32_t>(i), which, 0});
+}
+
+void deal(std::vector<double>& lengths, std::uint64_t seed) {
+  for (std::size_t i = lengths.size(); i > 1; --i)
+    std::swap(lengths[i - 1],
+              lengths[static_cast<std::size_t>(draw(seed, i, deal_draw) * static_cast<double>(i))]);
+}
+
+double mean(const std::vector<double>& lengths) {
+  return std::accumulate(lengths.begin(), lengths.end(), 0.0) / static_cast<double>(lengths.size());
+}
+
+double weight_mean(const std::vector<double>& lengths) {
+  return std::inner_product(lengths.begin(), lengths.end(), lengths.begin(), 0.0) /
+         std::accumulate(lengths.begin(), lengths.end(), 0.0);
+}
+
+void require_positive(double length, const char* what) {
+  if (!(length > 0) || !std::isfinite(length))
+    throw InputError(fmt::format("{} is {:.4g} m", what, length), "give a length above zero");
+}
+
+void require_means(double number, double weight) {
+  require_positive(number, "the number average length");
+  require_positive(weight, "the weight average length");
+  if (weight < number)
+    throw InputError(fmt::format("the weight average length {:.4g} m is below the number average {:.4g} m",
+                                 weight, number),
+                     "L_W is never below L_N; exchange them, or give a single length");
+  // Broader laws than this put nearly all volume in fibers that no finite sample contains.
+  constexpr double broadest = 20;
+  if (weight > broadest * number)
+    throw InputError(fmt::format("L_W / L_N is {:.4g}", weight / number),
+                     fmt::format("give at most {}", broadest));
+}
+
+/// Shares of the number of fibers, one a bin.
+std::vector<double> number_shares(const LengthHistogram& histogram) {
+  std::vector<double> shares(histogram.heights);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double middle = 0.5 * (histogram.edges[i] + histogram.edges[i + 1]);
+    if (histogram.height == HistogramHeight::length) shares[i] /= middle;
+  }
+  const double total = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share /= total;
+  return shares;
+}
+
+/// Fibers in each bin: the running total of the shares rounded, so that every bin is within one fiber of its
+/// share.
+std::vector<std::size_t> bin_counts(const std::vector<double>& shares, std::size_t count) {
+  std::vector<std::size_t> counts(shares.size());
+  double reached = 0;
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    reached += shares[i];
+    const bool last = i + 1 == shares.size();
+    const auto upto =
+        last ? count
+             : std::min(count, static_cast<std::size_t>(std::llround(reached * static_cast<double>(count))));
+    counts[i] = upto - given;
+    given = upto;
+  }
+  return counts;
+}
+
+std::vector<double> sample(const LengthHistogram& histogram, std::size_t count, std::uint64_t /*seed*/) {
+  const std::vector<std::size_t> counts = bin_counts(number_shares(histogram), count);
+  std::vector<double> lengths;
+  lengths.reserve(count);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double width = histogram.edges[i + 1] - histogram.edges[i];
+    for (std::size_t k = 0; k < counts[i]; ++k)
+      lengths.push_back(histogram.edges[i] +
+                        width * (static_cast<double>(k) + 0.5) / static_cast<double>(counts[i]));
+  }
+  return lengths;
+}
+
+std::vector<double> sample(const SingleLength& single, std::size_t count, std::uint64_t /*seed*/) {
+  return std::vector<double>(count, single.length);
+}
+
+std::vector<double> sample(const ListedLengths& list, std::size_t count, std::uint64_t /*seed*/) {
+  std::vector<double> lengths(count);
+  for (std::size_t i = 0; i < count; ++i) lengths[i] = list.lengths[i % list.lengths.size()];
+  return lengths;
+}
+
+/// Solves f(x) = 0 for a rising f with f(low) <= 0 <= f(high).
+double bisect(const std::function<double(double)>& rising, double low, double high) {
+  constexpr int halvings = 200;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (rising(middle) > 0 ? high : low) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Takes q^α times the scale that gives mean L_N, with α such that the realised L_W is right. Weibull and
+/// log-normal families are closed under powers, so the result is still a sample of the family.
+std::vector<double> fit_power(const std::vector<double>& quantiles, double number, double weight) {
+  const auto powered = [&](double exponent) {
+    std::vector<double> lengths(quantiles);
+    for (double& length : lengths) length = std::pow(length, exponent);
+    const double scale = number / mean(lengths);
+    for (double& length : lengths) length *= scale;
+    return lengths;
+  };
+  constexpr double widest = 60;
+  return powered(bisect([&](double exponent) { return weight_mean(powered(exponent)) - weight; }, 0, widest));
+}
+
+/// Quantiles of one uniform draw in each of `count` equal strata.
+template <class Quantile>
+std::vector<double> stratified(std::size_t count, std::uint64_t seed, const Quantile& quantile) {
+  std::vector<double> values(count);
+  for (std::size_t i = 0; i < count; ++i)
+    values[i] = quantile((static_cast<double>(i) + draw(seed, i, place_draw)) / static_cast<double>(count));
+  return values;
+}
+
+std::vector<double> sample(const WeibullLengths& law, std::size_t count, std::uint64_t seed) {
+  const auto quantiles = stratified(count, seed, [](double u) { return -std::log1p(-u); });
+  return fit_power(quantiles, law.number_average, law.weight_average);
+}
+
+/// Quantile of the standard normal distribution, by bisection of erfc: fast enough for what is done once.
+double normal_quantile(double probability) {
+  return bisect([&](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) - probability; }, -10, 10);
+}
+
+std::vector<double> sample(const LogNormalLengths& law, std::size_t count, std::uint64_t seed) {
+  const auto quantiles = stratified(count, seed, [](double u) { return std::exp(normal_quantile(u)); });
+  return fit_power(quantiles, law.number_average, law.weight_average);
+}
+
+void check(const SingleLength& single) {
+  require_positive(single.length, "the fiber length");
+}
+
+void check(const LengthHistogram& histogram) {
+  const auto& edges = histogram.edges;
+  if (histogram.heights.empty() || edges.size() != histogram.heights.size() + 1)
+    throw InputError(
+        fmt::format("a length histogram has {} edges and {} heights", edges.size(), histogram.heights.size()),
+        "give one edge more than heights");
+  if (edges.front() < 0 ||
+      std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) != edges.end())
+    throw InputError("the edges of a length histogram do not rise from 0 or above",
+                     "sort them and drop doubles");
+  double total = 0;
+  for (const double height : histogram.heights) {
+    if (!(height >= 0) || !std::isfinite(height))
+      throw InputError(fmt::format("a length histogram has the height {:.4g}", height),
+                       "give heights of 0 or above");
+    total += height;
+  }
+  if (!(total > 0)) throw InputError("all heights of a length histogram are 0", "give at least one above 0");
+}
+
+void check(const ListedLengths& list) {
+  if (list.lengths.empty()) throw InputError("the list of fiber lengths is empty", "give at least one");
+  for (const double length : list.lengths) require_positive(length, "a fiber length");
+}
+
+void check(const WeibullLengths& law) {
+  require_means(law.number_average, law.weight_average);
+}
+void check(const LogNormalLengths& law) {
+  require_means(law.number_average, law.weight_average);
+}
+
+struct Means {
+  double number, weight;
+};
+
+Means means(const SingleLength& single) {
+  return {single.length, single.length};
+}
+Means means(const ListedLengths& list) {
+  return {mean(list.lengths), weight_mean(list.lengths)};
+}
+Means means(const WeibullLengths& law) {
+  return {law.number_average, law.weight_average};
+}
+Means means(const LogNormalLengths& law) {
+  return {law.number_average, law.weight_average};
+}
+Means means(const LengthHistogram& histogram) {
+  const std::vector<double> shares = number_shares(histogram);
+  double first = 0, second = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const double low = histogram.edges[i], high = histogram.edges[i + 1];
+    first += shares[i] * 0.5 * (low + high);
+    second += shares[i] * (low * low + low * high + high * high) / 3;
+  }
+  return {first, second / first};
+}
+
+}  // namespace
+
+void require_admissible(const LengthLaw& law) {
+  std::visit([](const auto& kind) { check(kind); }, law);
+}
+
+double number_average(const LengthLaw& law) {
+  return std::visit([](const auto& kind) { return means(kind).number; }, law);
+}
+
+double weight_average(const LengthLaw& law) {
+  return std::visit([](const auto& kind) { return means(kind).weight; }, law);
+}
+
+std::vector<double> sample_lengths(const LengthLaw& law, std::size_t count, std::uint64_t seed) {
+  require_admissible(law);
+  if (count == 0) return {};
+  std::vector<double> lengths = std::visit([&](const auto& kind) { return sample(kind, count, seed); }, law);
+  deal(lengths, seed);
+  return lengths;
+}
+
+int rods_for(double length, double target_rod_length) {
+  if (!(target_rod_length > 0)) return 1;
+  return std::max(1, static_cast<int>(std::lround(length / target_rod_length)));
+}
+
+}  // namespace fiberfate
