@@ -1,0 +1,39 @@
+// Holds a population of fibers as classes of equal length, and tells its averages and its histogram.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace fiberfate {
+
+/// Holds how many fibers have which length; arrays of equal size, in any order, numbers not negative.
+struct LengthClasses {
+  std::vector<double> lengths;  ///< m, positive
+  std::vector<double> numbers;  ///< fibers, or anything proportional to them
+
+  /// Raises InputError when sizes differ, nothing is there, or a value is not positive and finite (numbers
+  /// may be 0).
+  void check() const;
+};
+
+/// Holds the two averages by which a length distribution is usually known.
+struct MeanLengths {
+  double number_average = 0;  ///< L_N = sum n L / sum n, m
+  double weight_average = 0;  ///< L_W = sum n L^2 / sum n L, m
+};
+
+/// Averages a population (thesis 2.5, 2.6); spans of equal size.
+[[nodiscard]] MeanLengths mean_lengths(std::span<const double> lengths, std::span<const double> numbers);
+[[nodiscard]] inline MeanLengths mean_lengths(const LengthClasses& classes) {
+  return mean_lengths(classes.lengths, classes.numbers);
+}
+
+/// Tells the fiber length of a population, sum n L, which no breakage changes.
+[[nodiscard]] double total_length(const LengthClasses& classes);
+
+/// Counts the fibers between each two consecutive edges (m, increasing); a fiber at an edge counts above it,
+/// at the last edge below it. The result has edges.size() - 1 numbers; fibers outside the edges are not
+/// counted.
+[[nodiscard]] std::vector<double> histogram(const LengthClasses& classes, std::span<const double> edges);
+
+}  // namespace fiberfate

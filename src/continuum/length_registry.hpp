@@ -1,0 +1,35 @@
+// Lists the laws of fiber attrition by name, with their parameters: what case files choose and calibration
+// varies.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "continuum/attrition_law.hpp"
+#include "continuum/law_parameter.hpp"
+
+namespace fiberfate {
+
+/// Describes a law of the registry.
+struct AttritionLawEntry {
+  std::string name;     ///< as in case files, "stress_induced"
+  std::string summary;  ///< one sentence with the equations
+  std::vector<LawParameter> parameters;
+  /// Makes the law from the values of its parameters, SI, in the order of `parameters`.
+  std::unique_ptr<AttritionLaw> (*make)(std::span<const double> values);
+};
+
+/// Gives all laws. To add one: write its functor, and add its entry here (docs/theory/length.md).
+[[nodiscard]] const std::vector<AttritionLawEntry>& attrition_laws();
+
+/// Finds a law by name; raises InputError with the nearest name when there is none.
+[[nodiscard]] const AttritionLawEntry& find_attrition_law(std::string_view name);
+
+/// Makes the law `name` from as many values as it has parameters; raises InputError when a value is NaN or
+/// outside of its parameter's bounds.
+[[nodiscard]] std::unique_ptr<AttritionLaw> make_attrition_law(std::string_view name,
+                                                               std::span<const double> values);
+
+}  // namespace fiberfate

@@ -1,0 +1,49 @@
+// States the Phelps-Tucker model of fiber attrition: how often a fiber of a length breaks, and into which
+// pieces.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "continuum/length_flow.hpp"
+
+namespace fiberfate {
+
+/// Chooses how the breakage rate grows with B = (L/L_ub)^4 times the compression.
+enum class BreakageRate {
+  phelps,  ///< P = C_B rate max(0, 1 - exp(1 - B)): nothing breaks below L_ub
+  durin,   ///< P = C_B rate min(1, (1 - exp(-B))/(1 - exp(-1))): some break below L_ub, all that can above it
+};
+
+/// Holds the constants of the model.
+struct PhelpsConstants {
+  double breakage_coefficient = 0;  ///< C_B, 1
+  double drag_coefficient = 0;      ///< zeta, 1
+  double spread = 0;                ///< S: standard deviation of a child's length over the parent's length, 1
+  double modulus = 0;               ///< E_f of the fiber, Pa
+  double diameter = 0;              ///< d_f of the fiber, m
+  double unbreakable_length = 0;    ///< L_ub, m, when it is given; 0 computes it from the flow
+  BreakageRate breakage_rate = BreakageRate::phelps;
+};
+
+/// Tells the unbreakable length L_ub = (pi^3 E_f d_f^4/(4 zeta eta rate))^(1/4), m: the length at which the
+/// drag on a fiber in the most compressed direction of the flow equals its Euler buckling load. Infinite
+/// without flow. Source: Phelps, Abd El-Rahman, Kunc, Tucker, "A model for fiber length attrition in
+/// injection-molded long-fiber composites", Composites A 51 (2013) 11; thesis (2.7), (2.8).
+[[nodiscard]] double unbreakable_length(const PhelpsConstants& constants, const LengthFlow& flow);
+
+/// Tells 1/L_ub^4, 1/m^4, times the compression, which is what the rates below are computed from: 0 without
+/// flow.
+[[nodiscard]] double buckling_coefficient(const PhelpsConstants& constants, const LengthFlow& flow);
+
+/// Tells P/(C_B rate) in [0, 1] of a fiber whose buckling number is B (see BreakageRate).
+[[nodiscard]] double breakage_share(BreakageRate breakage_rate, double buckling_number);
+
+/// Tells the mean number of children of each length that a broken fiber leaves: element [i-1 + (k-1) bins] is
+/// that of length i, in bins, from a parent of length k. A Gaussian of standard deviation S k around k/2, cut
+/// at 1 and k-1 and scaled so that two children, and the parent's whole length, result. A fiber of length 1
+/// cannot break: its column is zero. Column-major, bins x bins, strictly upper triangular. Raises InputError
+/// unless bins >= 2 and S >= 0.005 (below that the Gaussian falls between the bins).
+[[nodiscard]] std::vector<double> child_numbers(std::size_t bins, double spread);
+
+}  // namespace fiberfate

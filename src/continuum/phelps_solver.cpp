@@ -1,0 +1,251 @@
+// Drives the Phelps-Tucker kernels over points: breakage rates, weights of the series, blocks of eight.
+#include "continuum/phelps_solver.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <new>
+
+#include "base/error.hpp"
+#include "base/simd.hpp"
+#include "base/threads.hpp"
+#include "continuum/phelps_block.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr std::size_t lanes = 8;
+/// Share of the breakage events that the series may leave out, each part of a step.
+constexpr double series_tolerance = 1e-13;
+/// Events Qt a fiber may meet in one part of a step: more cost more parts, fewer waste the series' start.
+constexpr double largest_exposure = 32;
+/// Enough for the tolerance at the largest exposure (the rest is below 1e-13 after 86 terms).
+constexpr std::size_t most_terms = 96;
+
+class AlignedDoubles {
+ public:
+  explicit AlignedDoubles(std::size_t size)
+      : data_(static_cast<double*>(::operator new[](size * sizeof(double), alignment))) {
+    std::fill(data_, data_ + size, 0.0);
+  }
+  ~AlignedDoubles() { ::operator delete[](data_, alignment); }
+  AlignedDoubles(const AlignedDoubles&) = delete;
+  AlignedDoubles& operator=(const AlignedDoubles&) = delete;
+  [[nodiscard]] double* data() { return data_; }
+  double& operator[](std::size_t i) { return data_[i]; }
+
+ private:
+  static constexpr std::align_val_t alignment{64};
+  double* data_;
+};
+
+void advance_phelps(const PhelpsBlock& block) {
+  switch (instruction_set()) {
+    case InstructionSet::avx512:
+      return avx512::advance_phelps(block);
+    case InstructionSet::avx2:
+      return avx2::advance_phelps(block);
+    case InstructionSet::baseline:
+      return baseline::advance_phelps(block);
+  }
+}
+
+/// Tells after how many terms the Poisson weights of this exposure leave less than the tolerance.
+std::size_t terms_for(double exposure) {
+  double weight = std::exp(-exposure);
+  double rest = -std::expm1(-exposure);
+  std::size_t terms = 0;
+  while (rest > series_tolerance && terms < most_terms) {
+    ++terms;
+    weight *= exposure / static_cast<double>(terms);
+    rest -= weight;
+    // Past the peak the rest is below a geometric series, which subtraction can no longer resolve.
+    const double ratio = exposure / static_cast<double>(terms + 1);
+    if (ratio < 1) rest = std::min(rest, weight * ratio / (1 - ratio));
+  }
+  return terms;
+}
+
+void check_constants(const PhelpsConstants& c) {
+  const bool rates = c.breakage_coefficient >= 0 && std::isfinite(c.breakage_coefficient);
+  const bool given = c.unbreakable_length > 0 && std::isfinite(c.unbreakable_length);
+  const bool computed = c.drag_coefficient > 0 && c.modulus > 0 && c.diameter > 0;
+  if (!rates || !(given || computed))
+    throw InputError("the Phelps model has a constant that is not positive",
+                     "give C_B, S and either zeta, E_f and d_f or L_ub as positive numbers");
+}
+
+std::vector<double> packed_children(std::size_t bins, double spread) {
+  const std::vector<double> children = child_numbers(bins, spread);
+  std::vector<double> packed;
+  packed.reserve(bins * (bins + 4) / 2);
+  for (std::size_t row = 0; row < bins; row += 4) {
+    for (std::size_t k = row + 1; k < bins; ++k) {
+      for (std::size_t i = row; i < row + 4; ++i) packed.push_back(i < bins ? children[i + k * bins] : 0.0);
+    }
+  }
+  return packed;
+}
+
+}  // namespace
+
+std::vector<double> LengthBins::lengths() const {
+  std::vector<double> result(bins);
+  for (std::size_t i = 0; i < bins; ++i) result[i] = length(i);
+  return result;
+}
+
+std::vector<double> sort_into_bins(const LengthClasses& classes, const LengthBins& bins) {
+  classes.check();
+  std::vector<double> numbers(bins.bins, 0.0);
+  for (std::size_t j = 0; j < classes.lengths.size(); ++j) {
+    // A length computed as a multiple of the width may miss its bin by a few last digits: such a length is
+    // the bin's.
+    const double exact = classes.lengths[j] / bins.width();
+    const double nearest = std::round(exact);
+    const double place = std::abs(exact - nearest) < 1e-12 * exact ? nearest : exact;
+    if (place > static_cast<double>(bins.bins))
+      throw InputError("the initial distribution has fibers longer than the last bin",
+                       "raise the largest length of the bins");
+    if (place <= 1) {
+      numbers[0] += classes.numbers[j] * place;
+      continue;
+    }
+    const auto below = static_cast<std::size_t>(place);
+    const double part = place - static_cast<double>(below);
+    numbers[below - 1] += classes.numbers[j] * (1 - part);
+    if (part > 0) numbers[below] += classes.numbers[j] * part;
+  }
+  return numbers;
+}
+
+struct PhelpsSolver::Scratch {
+  explicit Scratch(std::size_t bins)
+      : share(bins * lanes),
+        numbers(bins * lanes),
+        power(bins * lanes),
+        broken(bins * lanes),
+        integral(bins * lanes),
+        weights((most_terms + 1) * lanes),
+        tails((most_terms + 1) * lanes) {}
+
+  /// Fills Poisson weights of every lane, scaled so that those kept sum to one, and the sums of the later
+  /// ones.
+  void fill_weights(std::size_t terms, double duration) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const double exposure = largest_rate[lane] * duration;
+      double weight = std::exp(-exposure);
+      double sum = weights[lane] = weight;
+      for (std::size_t j = 1; j <= terms; ++j) {
+        weight *= exposure / static_cast<double>(j);
+        sum += weights[j * lanes + lane] = weight;
+      }
+      double tail = 0;
+      for (std::size_t j = terms + 1; j-- > 0;) {
+        tails[j * lanes + lane] = tail;
+        tail += weights[j * lanes + lane] /= sum;
+      }
+    }
+  }
+
+  AlignedDoubles share, numbers, power, broken, integral, weights, tails;
+  std::array<double, lanes> largest_rate{};  ///< Q of every lane, 1/s
+  std::size_t first_row = 0;
+};
+
+PhelpsSolver::PhelpsSolver(const PhelpsConstants& constants, const LengthBins& bins)
+    : constants_(constants), bins_(bins), padded_bins_((bins.bins + 3) / 4 * 4) {
+  check_constants(constants);
+  if (!(bins.largest_length > 0))
+    throw InputError("the bins of a length distribution have no length", "give the largest length");
+  children_ = packed_children(bins.bins, constants.spread);
+  for (const double length : bins.lengths()) fourth_powers_.push_back((length * length) * (length * length));
+}
+
+double PhelpsSolver::fill_shares(const LengthFlows& flows, std::size_t first_point, Scratch& scratch) const {
+  const std::size_t count = std::min(lanes, flows.size() - first_point);
+  std::size_t first_broken = bins_.bins;
+  double largest = 0;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const LengthFlow flow = lane < count ? flows[first_point + lane] : LengthFlow{};
+    const double coefficient = buckling_coefficient(constants_, flow);
+    const auto share_of = [&](std::size_t i) {
+      return i == 0 ? 0.0 : breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+    };
+    // Both rates rise with the length, so the last bin's is the largest.
+    const double top = share_of(bins_.bins - 1);
+    scratch.largest_rate[lane] = constants_.breakage_coefficient * flow.rate * top;
+    largest = std::max(largest, scratch.largest_rate[lane]);
+    const double scale = top > 0 ? 1 / top : 0.0;
+    std::size_t i = bins_.bins;
+    while (i-- > 0) {
+      const double share = share_of(i);
+      scratch.share[i * lanes + lane] = std::min(1.0, share * scale);
+      if (!(share > 0)) break;
+      first_broken = std::min(first_broken, i);
+    }
+    for (++i; i-- > 0;) scratch.share[i * lanes + lane] = 0;
+  }
+  scratch.first_row = first_broken / 4 * 4;
+  return largest;
+}
+
+void PhelpsSolver::advance_block(const LengthFlows& flows, double duration, std::size_t first_point,
+                                 std::span<double> numbers, Scratch& scratch) const {
+  const double exposure = fill_shares(flows, first_point, scratch) * duration;
+  if (!(exposure > 0)) return;
+  const double parts = std::ceil(exposure / largest_exposure);
+  const std::size_t terms = terms_for(exposure / parts);
+  scratch.fill_weights(terms, duration / parts);
+
+  const std::size_t points = flows.size();
+  const std::size_t count = std::min(lanes, points - first_point);
+  for (std::size_t i = 0; i < bins_.bins; ++i)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      scratch.numbers[i * lanes + lane] = lane < count ? numbers[i * points + first_point + lane] : 0.0;
+  const PhelpsBlock block = {children_.data(),
+                             bins_.bins,
+                             padded_bins_,
+                             scratch.first_row,
+                             terms,
+                             scratch.share.data(),
+                             scratch.weights.data(),
+                             scratch.tails.data(),
+                             scratch.numbers.data(),
+                             scratch.power.data(),
+                             scratch.broken.data(),
+                             scratch.integral.data()};
+  for (double part = 0; part < parts; ++part) advance_phelps(block);
+  for (std::size_t i = 0; i < bins_.bins; ++i)
+    for (std::size_t lane = 0; lane < count; ++lane)
+      numbers[i * points + first_point + lane] = scratch.numbers[i * lanes + lane];
+}
+
+void PhelpsSolver::advance(const LengthFlows& flows, double duration, std::span<double> numbers) const {
+  const std::size_t points = flows.size();
+  assert(numbers.size() == points * bins_.bins && duration >= 0);
+  const auto blocks = static_cast<std::ptrdiff_t>((points + lanes - 1) / lanes);
+#pragma omp parallel if (blocks > 1)
+  {
+    Scratch scratch(padded_bins_);
+#pragma omp for schedule(static)
+    for (std::ptrdiff_t block = 0; block < blocks; ++block)
+      advance_block(flows, duration, static_cast<std::size_t>(block) * lanes, numbers, scratch);
+  }
+}
+
+void PhelpsSolver::advance(const LengthFlow& flow, double duration, std::span<double> numbers) const {
+  advance({{&flow.rate, 1}, {&flow.viscosity, 1}, {&flow.compression, 1}}, duration, numbers);
+}
+
+std::vector<double> PhelpsSolver::breakage_rates(const LengthFlow& flow) const {
+  const double coefficient = buckling_coefficient(constants_, flow);
+  std::vector<double> rates(bins_.bins, 0.0);
+  for (std::size_t i = 1; i < bins_.bins; ++i)
+    rates[i] = constants_.breakage_coefficient * flow.rate *
+               breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+  return rates;
+}
+
+}  // namespace fiberfate
