@@ -1,0 +1,79 @@
+// Reads frames of polylines from a VTKHDF file.
+#include "base/error.hpp"
+#include "io/vtkhdf_file.hpp"
+#include "io/vtkhdf_layout.hpp"
+
+namespace fiberfate {
+namespace {
+
+using vtkhdf::Kind;
+
+template <class T>
+T value_at(const Hdf5File& file, const std::string& name, std::size_t row) {
+  return file.read_rows<T>(name, {row, 1}).front();
+}
+
+FrameArray read_array(const Hdf5File& file, const std::string& name, RowRange range) {
+  FrameArray array;
+  array.unit = file.read_text_attribute(name, "unit");
+  array.components = static_cast<int>(file.columns(name));
+  switch (file.layout(name).element) {
+    case Element::float64:
+      array.values = file.read_rows<double>(name, range);
+      break;
+    case Element::float32:
+      array.values = file.read_rows<float>(name, range);
+      break;
+    case Element::int32:
+      array.values = file.read_rows<std::int32_t>(name, range);
+      break;
+    case Element::uint32:
+      array.values = file.read_rows<std::uint32_t>(name, range);
+      break;
+    default:
+      throw StorageError("cannot read " + file.path() + " (" + name + "): unexpected element type");
+  }
+  return array;
+}
+
+std::vector<FrameArray> read_arrays(const Hdf5File& file, Kind kind, std::size_t frame, std::uint64_t count) {
+  std::vector<FrameArray> arrays;
+  const std::string group = vtkhdf::root + '/' + vtkhdf::name(kind);
+  if (!file.contains(group)) return arrays;
+  for (const std::string& name : file.members(group)) {
+    const auto first = value_at<std::int64_t>(file, vtkhdf::data_offsets(kind, name), frame);
+    arrays.push_back(read_array(file, vtkhdf::data(kind, name), {static_cast<std::uint64_t>(first), count}));
+    arrays.back().name = name;
+  }
+  return arrays;
+}
+
+}  // namespace
+
+VtkhdfReader::VtkhdfReader(const std::string& path) : file_(Hdf5File::open(path, Hdf5File::Access::read)) {
+  if (!file_.contains(vtkhdf::values) || file_.read_text_attribute(vtkhdf::root, "Type") != "PolyData")
+    throw StorageError("cannot read " + path + ": it does not hold polylines over time");
+  times_ = file_.read<double>(vtkhdf::values);
+}
+
+PolylineFrame VtkhdfReader::read(std::size_t frame) const {
+  PolylineFrame result;
+  result.time = times_.at(frame);
+  const auto number = [&](const std::string& name) {
+    return static_cast<std::uint64_t>(value_at<std::int64_t>(file_, name, frame));
+  };
+  const std::uint64_t part = number(vtkhdf::part_offsets);
+  const std::uint64_t first_cell =
+      file_.read_rows<std::int64_t>(vtkhdf::cell_offsets, {frame, 1})[vtkhdf::lines];
+  const std::uint64_t cells = number(vtkhdf::of(vtkhdf::lines, "NumberOfCells"));
+  const std::uint64_t points = number(vtkhdf::point_counts);
+  result.points = file_.read_rows<double>(vtkhdf::points, {number(vtkhdf::point_offsets), points});
+  result.offsets =
+      file_.read_rows<std::int64_t>(vtkhdf::of(vtkhdf::lines, "Offsets"), {first_cell + part, cells + 1});
+  result.point_data = read_arrays(file_, Kind::point, frame, points);
+  result.line_data = read_arrays(file_, Kind::cell, frame, cells);
+  result.frame_data = read_arrays(file_, Kind::field, frame, 1);
+  return result;
+}
+
+}  // namespace fiberfate
