@@ -77,6 +77,13 @@ function group(text: string): string {
   return fraction === undefined ? grouped : `${grouped}.${fraction}`;
 }
 
+/** Writes a component of a tensor with as many decimals as its largest component needs for four digits. */
+export function write_component(value: Value, largest: number): string {
+  if (!is_number(value) || largest >= 1e6 || largest < 1e-3) return write_number(value);
+  const decimals = Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(largest))));
+  return group(value.toFixed(decimals));
+}
+
 /** Writes a value with the SI prefix that suits it, for text. */
 export function write_quantity(value: Value | undefined, unit?: string, digits = 4): string {
   if (!is_number(value)) return "–";

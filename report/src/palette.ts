@@ -38,10 +38,12 @@ export function watch_scheme(action: () => void): void {
 
 type Rgb = [number, number, number];
 
-// Nine samples each of viridis and of cividis-like "ember"; linear interpolation between is not visible.
+// Viridis as published, for fields. The two maps for fibers have their lightness monotone too, but keep away from
+// white and black: a fiber of any colour must show on a light and on a dark page.
 const maps = {
   viridis: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"],
-  inferno: ["#1b0c41", "#4a0c6b", "#781c6d", "#a52c60", "#cf4446", "#ed6925", "#fb9b06", "#f7d13d", "#fcffa4"],
+  tide: ["#f0b440", "#a9bf4e", "#4fae7b", "#2a8f9e", "#2d69a8", "#3f4699"],
+  ember: ["#b3c0ce", "#cdbb9c", "#e3a85c", "#dd7a36", "#c94a2b", "#a3222a", "#7a1230"],
 };
 export type ColourMap = keyof typeof maps;
 

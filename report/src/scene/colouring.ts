@@ -39,8 +39,8 @@ function make_table(colour_at: (index: number) => [number, number, number]): Uin
   return table;
 }
 
-const sequential = make_table((k) => sample_map("viridis", k / (table_size - 1)));
-const heat = make_table((k) => sample_map("inferno", k / (table_size - 1)));
+const sequential = make_table((k) => sample_map("tide", k / (table_size - 1)));
+const heat = make_table((k) => sample_map("ember", k / (table_size - 1)));
 const categories = make_table(category_colour);
 
 /** The range covers 99.5 % of the hinges, so that one kink does not darken all others. */

@@ -48,10 +48,10 @@ void main() {
   vec3 n = normalize(normal_view);
   vec3 to_eye = normalize(-position_view);
   float facing = max(dot(n, to_eye), 0.0);
-  float light = 0.42 + 0.6 * max(dot(n, normalize(vec3(-0.35, 0.65, 0.7))), 0.0);
+  float light = 0.56 + 0.5 * max(dot(n, normalize(vec3(-0.35, 0.65, 0.7))), 0.0);
   float gloss = pow(max(dot(n, normalize(to_eye + vec3(-0.35, 0.65, 0.7))), 0.0), 40.0);
   vec3 base = texture(table, vec2(clamp(table_place, 0.002, 0.998), 0.5)).rgb;
-  vec3 lit = base * light * mix(0.5, 1.0, smoothstep(0.0, 0.45, facing)) + 0.14 * gloss;
+  vec3 lit = base * light * mix(0.58, 1.0, smoothstep(0.0, 0.5, facing)) + 0.12 * gloss;
   if (emphasis > 1.5) lit = mix(lit, vec3(1.0), 0.35);
   float far = smoothstep(haze.x, haze.y, -position_view.z);
   float fade = emphasis > 1.5 ? 0.0 : (emphasis < 0.5 ? 0.9 : 0.62 * far);

@@ -1,13 +1,15 @@
 // The section "facts": labelled values, with tensors as small matrices.
 import type { Fact, FactsSection, Value } from "../document";
 import { make, make_label } from "../dom";
-import { write_number, write_quantity, write_unit } from "../format";
+import { largest_magnitude, write_component, write_quantity, write_unit } from "../format";
 import { make_section } from "./parts";
 
+/** Writes all components to the same decimal, so that they can be compared down a column. */
 function make_matrix(rows: Value[][]): HTMLElement {
+  const largest = largest_magnitude(rows.flat());
   const body = make("tbody", {});
   for (const row of rows) {
-    body.append(make("tr", {}, ...row.map((value) => make("td", {}, write_number(value)))));
+    body.append(make("tr", {}, ...row.map((value) => make("td", {}, write_component(value, largest)))));
   }
   return make("table", { class: "matrix" }, body);
 }
