@@ -48,11 +48,11 @@ void ChainSolver::arrange(const FiberState& state) {
       group.fiber[lane] = i + lane < order.size() ? order[i + lane] : -1;
     groups_.push_back(group);
   }
-  systems_.resize(static_cast<std::size_t>(thread_count()));
 }
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
   const FiberState& state = problem.state;
+  systems_.resize(std::max(systems_.size(), static_cast<std::size_t>(thread_count())));
   parallel_for(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
     const Group& group = groups_[static_cast<std::size_t>(g)];
     ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];

@@ -21,17 +21,13 @@ struct RodLoad {
 /// Holds all loads, grouped by rod (a rod is numbered by its first node), in a fixed order.
 class RodLoads {
  public:
-  /// Holds no load on any of `nodes` rods.
+  /// Holds no load on any rod of a state with `nodes` nodes.
   explicit RodLoads(Index nodes = 0) : begin_(static_cast<std::size_t>(nodes) + 1, 0) {}
 
-  /// Starts to collect: tell the number of loads of every rod with count(), then place() them, in a fixed
-  /// order.
-  void reset(Index nodes);
-  void count(Index rod) { ++begin_[static_cast<std::size_t>(rod) + 1]; }
-  void allocate();
-  RodLoad& place(Index rod) {
-    return loads_[static_cast<std::size_t>(next_[static_cast<std::size_t>(rod)]++)];
-  }
+  /// Makes one slot for each entry of `rods`, in that order within a rod, and tells the slots' numbers; their
+  /// loads are then to be written, by any thread.
+  void arrange(Index nodes, std::span<const Index> rods, std::vector<Index>& slots);
+  [[nodiscard]] RodLoad& slot(Index number) { return loads_[static_cast<std::size_t>(number)]; }
 
   [[nodiscard]] std::span<const RodLoad> of_rod(Index rod) const {
     const auto r = static_cast<std::size_t>(rod);

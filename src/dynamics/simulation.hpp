@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "base/timer.hpp"
+#include "dynamics/break_event.hpp"
 #include "dynamics/parameters.hpp"
 #include "fibers/flow.hpp"
 #include "fibers/state.hpp"
@@ -15,16 +15,6 @@ namespace fiberfate {
 /// Names what held the size of a step down.
 enum class StepLimit { control, tolerance, strain, maximum, event };
 [[nodiscard]] const char* name(StepLimit limit);
-
-/// Records one hinge that broke.
-struct BreakEvent {
-  double time = 0;               ///< s
-  std::uint32_t birth_id = 0;    ///< original fiber
-  std::uint32_t birth_node = 0;  ///< node along the original fiber
-  double radius = 0;             ///< radius of curvature at which it broke, m
-  double parent_length = 0;      ///< length of the fiber that broke, m
-  double child_length = 0;       ///< length of the first of its two parts, m
-};
 
 /// Summarises the contacts at the present positions.
 struct ContactStatistics {

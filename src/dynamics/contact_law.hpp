@@ -1,0 +1,59 @@
+// Gives the normal and friction force between two rods, or a rod and a wall.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/parameters.hpp"
+
+namespace fiberfate {
+
+/// Penalty force on overlapping rods: with the distance d of their axes and the mean radius a,
+///   F_N = A 2a exp(−B (d/a − 2)) for d < d_cut = cutoff a
+/// whose jump at d_cut is replaced by a ramp of width `ramp`, centred on d_cut, so that force and step
+/// converge:
+///   F_N = min(F_0 (1/2 − (d − d_cut)/ramp), A 2a exp(−B (d/a − 2))),   F_0 = A 2a exp(−B (cutoff − 2))
+/// Source: thesis (3.14), with d in units of the radius as its program computes it; the ramp is ours.
+class NormalForce {
+ public:
+  NormalForce(const ContactParameters& contact, double mean_radius)
+      : strength_(contact.force_constant * 2 * mean_radius),
+        decay_(contact.decay / mean_radius),
+        touch_(2 * mean_radius),
+        cutoff_(contact.cutoff * mean_radius),
+        ramp_(contact.ramp),
+        step_(strength_ * std::exp(-decay_ * (cutoff_ - touch_))) {}
+
+  /// Returns F_N in N at the distance d in m.
+  [[nodiscard]] double operator()(double distance) const {
+    const double rise = step_ * (0.5 - (distance - cutoff_) / ramp_);
+    if (rise <= 0) return 0;
+    // The ramp is below the exponential over its whole width except near its inner end.
+    if (distance > cutoff_ - 0.4 * ramp_) return rise;
+    return std::min(rise, strength_ * std::exp(-decay_ * (distance - touch_)));
+  }
+
+  /// Returns an upper bound of −dF_N/dd in N/m at and around a distance where the force is `force`.
+  [[nodiscard]] double stiffness(double force) const { return std::max(step_ / ramp_, decay_ * force); }
+
+  /// Returns the distance from which on there is no force, m.
+  [[nodiscard]] double reach() const { return cutoff_ + 0.5 * ramp_; }
+
+ private:
+  double strength_, decay_, touch_, cutoff_, ramp_, step_;
+};
+
+/// Coulomb friction, regularised so that it vanishes at rest: force = −resistance(F_N, |v_t|) v_t with
+///   resistance = mu F_N / sqrt(v_t² + v_0²)
+/// Source: thesis (3.15), with the tangential relative velocity.
+struct Friction {
+  double coefficient;    ///< mu
+  double slip_velocity;  ///< v_0, m/s
+
+  /// Returns the resistance in N s/m for a normal force in N and the square of the tangential velocity.
+  [[nodiscard]] double operator()(double normal_force, double squared_velocity) const {
+    return coefficient * normal_force / std::sqrt(squared_velocity + slip_velocity * slip_velocity);
+  }
+};
+
+}  // namespace fiberfate

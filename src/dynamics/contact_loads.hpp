@@ -1,0 +1,60 @@
+// Turns contacts of rods, and of rods with walls, into loads that are implicit in the rods' velocities.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dynamics/contact_law.hpp"
+#include "dynamics/contact_search.hpp"
+#include "dynamics/rod_loads.hpp"
+#include "dynamics/wall_search.hpp"
+#include "fibers/flow.hpp"
+
+namespace fiberfate {
+
+/// Holds what the loads of a step are linearised about.
+struct LoadContext {
+  std::span<const Vec3> relative_velocity;  ///< w of the last solve, one a node, m/s
+  Flow flow;
+  double step = 0;  ///< s
+};
+
+/// Linearises contact forces about the last known velocities, each side by itself.
+///
+/// With v_r the relative velocity of the contact points, the gap is predicted, d* = d + step n·v_r, and side
+/// i gets
+///   f_i(w) = F(d*) n − z v_t − R (w − w_old),   R = 2 k step n nᵀ + 2 z (I − n nᵀ)
+/// with k the stiffness of the normal force and z the resistance of friction; side j gets the opposite force
+/// with its own w. At w = w_old action equals reaction exactly. The factor 2 makes the two one-sided terms
+/// bound the coupled one, (v_i − v_j)² <= 2 v_i² + 2 v_j²: velocities converge monotonically, without
+/// ringing, at any step.
+class ContactLoads {
+ public:
+  ContactLoads(const ContactParameters& parameters, const FiberState& state);
+
+  /// Makes room for the loads of these contacts and finds the walls' contacts.
+  void arrange(std::span<const Contact> contacts, const FiberState& state);
+  /// Evaluates the loads of the contacts that were arranged.
+  void evaluate(std::span<const Contact> contacts, const LoadContext& context);
+
+  [[nodiscard]] const RodLoads& loads() const { return loads_; }
+  /// Normal force of every contact as predicted for the step's end, N.
+  [[nodiscard]] std::span<const double> normal_force() const { return normal_force_; }
+  /// Distance of axes below which two rods may act on each other, m.
+  [[nodiscard]] double range() const;
+
+ private:
+  void evaluate_contact(std::size_t index, const Contact& contact, const LoadContext& context);
+  [[nodiscard]] RodLoad wall_load(const WallContact& wall, const LoadContext& context) const;
+
+  ContactParameters parameters_;
+  std::size_t materials_ = 0;
+  std::vector<NormalForce> laws_;  // by pair of materials
+  std::vector<WallContact> walls_;
+  std::vector<Index> rods_;   // the rod of every load: two a contact, then one a wall contact
+  std::vector<Index> slots_;  // and its slot
+  std::vector<double> normal_force_;
+  RodLoads loads_;
+};
+
+}  // namespace fiberfate

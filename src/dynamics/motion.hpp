@@ -1,0 +1,37 @@
+// Advances the positions of fibers by one step.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fibers/flow.hpp"
+#include "fibers/state.hpp"
+
+namespace fiberfate {
+
+/// Extrapolates every node to the middle of the step with its last velocity: x + (step/2)(kappa·x + w_last).
+void extrapolate_to_middle(const FiberState& state, const Flow& flow, double step, std::span<Vec3> middle);
+
+/// Moves every node, x ← exp(kappa step)·x + step (w + (step/2) kappa·w_last), restores every rod's length
+/// and then the fiber's centroid (restoring from one end would drift), carries the cell, and makes w the
+/// state's velocity. `travelled` receives the largest displacement of a node relative to the fluid, by fiber,
+/// m. Advances the time.
+void move_fibers(FiberState& state, const Flow& flow, double step, std::span<const Vec3> relative_velocity,
+                 std::span<double> travelled);
+
+/// Local error of the step in radii, (step/2) rms |w − w_last| / a; see step_control.hpp. Infinite when a
+/// velocity is not finite.
+[[nodiscard]] double displacement_error(const FiberState& state, double step,
+                                        std::span<const Vec3> relative_velocity);
+
+/// Largest speed of a node relative to the fluid, by fiber, m/s.
+void largest_speeds(const FiberState& state, std::span<double> speed);
+
+/// Makes the cell compact again and brings strayed fibers back into it; tells whether anything was done,
+/// after which images are no longer those they were. Depends on the state alone: restarts change nothing.
+[[nodiscard]] bool tidy_cell(FiberState& state);
+
+/// Ends the exemption from contact of broken ends whose axes are further apart than `range`.
+void release_separated_ends(FiberState& state, double range);
+
+}  // namespace fiberfate

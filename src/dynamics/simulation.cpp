@@ -1,0 +1,239 @@
+// Steps a population of fibers: neighbours, loads, solve, trial, accept or shrink, breakage.
+#include "dynamics/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "dynamics/breakage.hpp"
+#include "dynamics/chain_solver.hpp"
+#include "dynamics/contact_loads.hpp"
+#include "dynamics/contact_search.hpp"
+#include "dynamics/motion.hpp"
+#include "dynamics/step_control.hpp"
+#include "fibers/neighbour_list.hpp"
+
+namespace fiberfate {
+namespace {
+
+// A list is made to last for about this many steps at the present speeds; margins stay within bounds in
+// radii.
+constexpr double list_life = 12;
+constexpr double least_margin = 0.05;
+constexpr double most_margin = 2.0;
+
+void require_simulable(const FiberState& state) {
+  if (state.fiber_count() == 0) throw InputError("there are no fibers", "ask for at least one");
+  for (const FiberMaterial& material : state.materials) {
+    if (!(material.radius > 0)) throw InputError("a fiber's radius is not positive", "give its diameter");
+  }
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+    const double diameter = state.material(fiber).diameter();
+    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
+      if (state.rod_length[static_cast<std::size_t>(k)] <= 0.999 * diameter)
+        throw InputError("a rod is shorter than its diameter", "cut fibers into fewer, longer rods");
+    }
+  }
+}
+
+}  // namespace
+
+/// Holds parameters, state and scratch apart.
+struct Simulation::Parts {
+  Parts(const DynamicsParameters& chosen, FlowHistory history, FiberState begin)
+      : parameters(chosen), flow(std::move(history)), state(std::move(begin)), loads(chosen.contact, state) {
+    if (state.step_size <= 0) state.step_size = parameters.step.initial;
+    fit_to_fibers();
+  }
+
+  /// Renews everything that depends on which fibers there are.
+  void fit_to_fibers() {
+    const auto fibers = static_cast<std::size_t>(state.fiber_count());
+    const auto nodes = static_cast<std::size_t>(state.node_count());
+    unit_drag = unit_drag_of_rods(state, parameters.drag);
+    solver.arrange(state);
+    middle.resize(nodes);
+    velocity.resize(nodes);
+    tension.resize(nodes);
+    speed.resize(fibers);
+    ahead.resize(fibers);
+    travelled.resize(fibers);
+    list_is_stale = true;
+  }
+
+  [[nodiscard]] bool has_contacts() const { return parameters.contact.force_constant > 0; }
+  [[nodiscard]] double next_check() const {
+    return static_cast<double>(state.breakage_checks + 1) * parameters.breakage.check_interval;
+  }
+  [[nodiscard]] double next_event(double until) const {
+    const double change = std::min(until, flow.next_change(state.time));
+    return parameters.breakage.law == BreakageLaw::none ? change : std::min(change, next_check());
+  }
+
+  void find_contacts(const Flow& now, double step);
+  void build_list(double step);
+  double try_step(const Flow& now, double step);
+  void accept(const Flow& now, const StepChoice& choice, double error, double event);
+  [[nodiscard]] SimulationFailure failure(const std::string& what) const;
+
+  // Params
+  DynamicsParameters parameters;
+  FlowHistory flow;
+  // State
+  FiberState state;
+  // Scratch
+  std::vector<RodDrag> unit_drag;
+  NeighbourList neighbours;
+  ContactSearch search;
+  ContactLoads loads;
+  ChainSolver solver;
+  std::vector<Vec3> middle;
+  std::vector<Vec3> velocity;
+  std::vector<double> tension;
+  std::vector<double> speed;
+  std::vector<double> ahead;
+  std::vector<double> travelled;
+  bool list_is_stale = true;
+  // Results
+  std::vector<BreakEvent> events;
+  PhaseTimes times;
+};
+
+Simulation::Simulation(const DynamicsParameters& parameters, FlowHistory flow, FiberState state) {
+  require_simulable(state);
+  parts_ = std::make_unique<Parts>(parameters, std::move(flow), std::move(state));
+}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+StepReport Simulation::advance(double until) {
+  Parts& p = *parts_;
+  const Flow now = p.flow.at(p.state.time);
+  const double event = p.next_event(until);
+  StepChoice choice = propose_step(p.parameters.step, p.state.step_size, now, event - p.state.time);
+  int rejections = 0;
+  double error = p.try_step(now, choice.size);
+  while (!is_acceptable(p.parameters.step, error)) {
+    choice = {shrunk_step(p.parameters.step, choice.size, error), StepLimit::tolerance};
+    if (choice.size < p.parameters.step.minimum) throw p.failure("no step above the minimum is acceptable");
+    error = p.try_step(now, choice.size);
+    ++rejections;
+  }
+  p.accept(now, choice, error, event);
+  return {choice.size, choice.limit, rejections};
+}
+
+/// Solves for the velocities of a trial step and returns its error.
+double Simulation::Parts::try_step(const Flow& now, double step) {
+  find_contacts(now, step);
+  extrapolate_to_middle(state, now, step, middle);
+  velocity.assign(state.relative_velocity.begin(), state.relative_velocity.end());
+  for (int sweep = 0; sweep < parameters.contact.sweeps; ++sweep) {
+    {
+      const PhaseTimer timer(times, Phase::loads);
+      loads.evaluate(search.contacts(), {velocity, now, step});
+    }
+    const PhaseTimer timer(times, Phase::solve);
+    solver.solve({state, middle, unit_drag, loads.loads(), now, step}, {velocity, tension});
+  }
+  return displacement_error(state, step, velocity);
+}
+
+void Simulation::Parts::find_contacts(const Flow& now, double step) {
+  if (has_contacts()) {
+    largest_speeds(state, speed);
+    std::transform(speed.begin(), speed.end(), ahead.begin(), [step](double v) { return v * step; });
+    {
+      const PhaseTimer timer(times, Phase::neighbours);
+      if (list_is_stale || !neighbours.covers(state, now, step, ahead)) build_list(step);
+    }
+    const PhaseTimer timer(times, Phase::loads);
+    search.find(state, neighbours, {loads.range(), neighbours.strain_share(now, step), ahead});
+  }
+  const PhaseTimer timer(times, Phase::loads);
+  loads.arrange(search.contacts(), state);
+}
+
+void Simulation::Parts::build_list(double step) {
+  std::vector<double> margin(speed.size());
+  for (std::size_t f = 0; f < margin.size(); ++f) {
+    const double radius = state.material(static_cast<Index>(f)).radius;
+    margin[f] = std::max(std::min(list_life * step * speed[f], most_margin * radius),
+                         least_margin * radius + 2 * step * speed[f]);
+  }
+  neighbours.build(state, {loads.range(), margin});
+  list_is_stale = false;
+}
+
+void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double error, double event) {
+  {
+    const PhaseTimer timer(times, Phase::update);
+    const bool reaches_event = state.time + choice.size >= event - 1e-6 * choice.size;
+    move_fibers(state, now, choice.size, velocity, travelled);
+    if (reaches_event) state.time = event;
+    state.step_size = next_proposal(parameters.step, choice, state.step_size, error);
+    if (has_contacts()) neighbours.carry(now, choice.size, travelled);
+    release_separated_ends(state, loads.range());
+    if (tidy_cell(state)) list_is_stale = true;
+  }
+  if (parameters.breakage.law == BreakageLaw::none || state.time < next_check()) return;
+  const PhaseTimer timer(times, Phase::breakage);
+  const std::int64_t before = state.breaks;
+  check_breakage(state, parameters, events);
+  if (state.breaks != before) fit_to_fibers();
+}
+
+SimulationFailure Simulation::Parts::failure(const std::string& what) const {
+  FailurePlace place{state.step, state.time, -1, 0};
+  for (const double force : loads.normal_force()) place.largest_force = std::max(place.largest_force, force);
+  double worst = -1;
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
+      const auto n = static_cast<std::size_t>(k);
+      const double change = (velocity[n] - state.relative_velocity[n]).norm();
+      if (std::isfinite(change) && change <= worst) continue;
+      worst = std::isfinite(change) ? change : std::numeric_limits<double>::infinity();
+      place.fiber = state.birth_id[static_cast<std::size_t>(fiber)];
+    }
+  }
+  return {what, place};
+}
+
+const FiberState& Simulation::state() const {
+  return parts_->state;
+}
+
+std::vector<BreakEvent> Simulation::take_break_events() {
+  return std::exchange(parts_->events, {});
+}
+
+ContactStatistics Simulation::contact_statistics() {
+  Parts& p = *parts_;
+  ContactStatistics statistics;
+  if (!p.has_contacts()) return statistics;
+  p.find_contacts(p.flow.at(p.state.time), 0);
+  double overlaps = 0;
+  for (const Contact& contact : p.search.contacts()) {
+    const double first = p.state.materials[contact.first_material].radius;
+    const double second = p.state.materials[contact.second_material].radius;
+    const double mean = 0.5 * (first + second);
+    const double force = NormalForce(p.parameters.contact, mean)(contact.distance);
+    if (force <= 0) continue;
+    const double overlap = (first + second - contact.distance) / mean;
+    ++statistics.contacts;
+    overlaps += overlap;
+    statistics.max_overlap = std::max(statistics.max_overlap, overlap);
+    statistics.largest_force = std::max(statistics.largest_force, force);
+  }
+  statistics.contacts_per_fiber = 2.0 * static_cast<double>(statistics.contacts) / p.state.fiber_count();
+  if (statistics.contacts > 0) statistics.mean_overlap = overlaps / static_cast<double>(statistics.contacts);
+  return statistics;
+}
+
+PhaseTimes& Simulation::times() {
+  return parts_->times;
+}
+
+}  // namespace fiberfate
