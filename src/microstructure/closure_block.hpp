@@ -1,0 +1,30 @@
+// Lays out eight orientation states for the compiled closure kernels.
+#pragma once
+
+#include "microstructure/closure_kind.hpp"
+
+namespace fiberfate {
+
+/// Holds eight states; arrays are [component][8], components in the order 11, 22, 33, 23, 31, 12, aligned to
+/// 64 bytes.
+struct ClosureBlock {
+  const double* second;     ///< A2
+  const double* symmetric;  ///< G
+  double* contracted;       ///< A4(A2) : G
+};
+
+namespace baseline {
+void contract_closures(Closure closure, const ClosureBlock& block);
+/// Decomposes eight symmetric tensors; `values` is [3][8], `axes` [axis][component][8].
+void find_frames(const double* tensors, double* values, double* axes);
+}  // namespace baseline
+namespace avx2 {
+void contract_closures(Closure closure, const ClosureBlock& block);
+void find_frames(const double* tensors, double* values, double* axes);
+}  // namespace avx2
+namespace avx512 {
+void contract_closures(Closure closure, const ClosureBlock& block);
+void find_frames(const double* tensors, double* values, double* axes);
+}  // namespace avx512
+
+}  // namespace fiberfate

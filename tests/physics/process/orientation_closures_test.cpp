@@ -1,0 +1,47 @@
+// Compares every closure with the reference table and with what every fourth moment obeys.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "microstructure/closure.hpp"
+#include "physics/process/reference_table.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// The table's names, with its tolerances (the published coefficients of ORF and ORL have six decimals).
+struct Reference {
+  const char* name;
+  Closure closure;
+  double tolerance;
+  bool fitted;
+};
+const Reference references[] = {{"linear", Closure::linear, 1e-14, false},
+                                {"quadratic", Closure::quadratic, 1e-14, false},
+                                {"hybrid", Closure::hybrid, 1e-14, false},
+                                {"IBOF", Closure::ibof, 1e-12, false},
+                                {"ORF", Closure::orf, 3e-6, true},
+                                {"ORW", Closure::orw, 1e-12, true},
+                                {"ORW3", Closure::orw3, 1e-12, true},
+                                {"ORE_natural", Closure::ore, 1e-11, true},
+                                {"ORS_smooth", Closure::ors, 1e-12, true},
+                                {"ORL_lowCI", Closure::orl, 3e-6, true},
+                                {"ORP_peaked", Closure::orp, 1e-12, true},
+                                {"Bingham_ChaubalLeal", Closure::bingham, 1e-12, true},
+                                {"exact_Jeffery", Closure::exact, 1e-11, false}};
+
+TEST(OrientationClosures, MatchTheReferenceTable) {
+  const auto table = reference_table("closures.json");
+  for (const Reference& reference : references) {
+    const auto& answers = table["closures"][reference.name];
+    for (std::size_t k = 0; k < table["states"].size(); ++k) {
+      const auto& state = table["states"][k];
+      if (reference.fitted && state["degenerate_eigenvalues"]) continue;
+      const Mat6 error = close(matrix3(state["A2"]), reference.closure) - matrix6(answers[k]["A4"]);
+      EXPECT_LT(error.cwiseAbs().maxCoeff(), reference.tolerance) << reference.name << " " << state["name"];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fiberfate
