@@ -54,6 +54,21 @@ export function fits(value: Value | undefined, scale: Scale): value is number {
   return is_number(value) && (scale === "linear" || value > 0);
 }
 
+/** Gives the runs of neighbouring points at which all of some arrays can be drawn; a missing value ends a run. */
+export function split_runs(arrays: Value[][], scales: Scale[]): number[][] {
+  const runs: number[][] = [];
+  let run: number[] = [];
+  const length = Math.max(0, ...arrays.map((array) => array.length));
+  for (let k = 0; k < length; ++k) {
+    if (arrays.every((array, which) => fits(array[k], scales[which]!))) run.push(k);
+    else if (run.length > 0) {
+      runs.push(run);
+      run = [];
+    }
+  }
+  return run.length > 0 ? [...runs, run] : runs;
+}
+
 /** Gives the padded range in y of the visible curves between two x. */
 export function range_of_y(curves: Curve[], scale: Scale, from = -Infinity, to = Infinity): [number, number] {
   let min = Infinity;

@@ -1,39 +1,37 @@
 // How uPlot draws a curve: in the curve's own order and at its own x, so that loops and scatter work too.
 import uPlot from "uplot";
-import { type Curve, fits } from "./curves";
-import type { Scale } from "../document";
+import type { Scale, Value } from "../document";
 import type { Palette } from "../palette";
+import { type Curve, split_runs } from "./curves";
 
 export interface Scales {
   x: Scale;
   y: Scale;
 }
 
-function trace(plot: uPlot, path: Path2D, curve: Curve, ys: (number | null)[], scales: Scales): void {
-  let pen_down = false;
-  ys.forEach((y, k) => {
-    const x = curve.x[k];
-    const drawn = fits(x, scales.x) && fits(y, scales.y);
-    if (drawn) {
-      const to = [plot.valToPos(x, "x", true), plot.valToPos(y, "y", true)] as const;
-      if (pen_down) path.lineTo(...to);
-      else path.moveTo(...to);
-    }
-    pen_down = drawn;
-  });
+function draw_line(plot: uPlot, curve: Curve, scales: Scales): void {
+  const path = new Path2D();
+  for (const run of split_runs([curve.x, curve.y], [scales.x, scales.y])) {
+    const [x, y] = [plot.valToPos(curve.x[run[0]!]!, "x", true), plot.valToPos(curve.y[run[0]!]!, "y", true)];
+    path.moveTo(x, y);
+    // A point alone between gaps would have no line: it is drawn as a dash as long as the line is wide.
+    if (run.length === 1) path.lineTo(x + 2 * uPlot.pxRatio, y);
+    for (const k of run) path.lineTo(plot.valToPos(curve.x[k]!, "x", true), plot.valToPos(curve.y[k]!, "y", true));
+  }
+  plot.ctx.stroke(path);
 }
 
 function draw_band(plot: uPlot, curve: Curve, scales: Scales): void {
-  const { low, high } = curve;
+  const { x, low, high } = curve;
   if (!low || !high) return;
   const path = new Path2D();
-  const corner = (k: number, y: number | null | undefined): void => {
-    const x = curve.x[k];
-    if (!fits(x, scales.x) || !fits(y, scales.y)) return;
-    path.lineTo(plot.valToPos(x, "x", true), plot.valToPos(y, "y", true));
-  };
-  high.forEach((y, k) => corner(k, y));
-  for (let k = low.length - 1; k >= 0; --k) corner(k, low[k]);
+  for (const run of split_runs([x, low, high], [scales.x, scales.y, scales.y])) {
+    const corner = (k: number, ys: Value[]): void => path.lineTo(plot.valToPos(x[k]!, "x", true), plot.valToPos(ys[k]!, "y", true));
+    path.moveTo(plot.valToPos(x[run[0]!]!, "x", true), plot.valToPos(high[run[0]!]!, "y", true));
+    for (const k of run) corner(k, high);
+    for (const k of run.reverse()) corner(k, low);
+    path.closePath();
+  }
   plot.ctx.globalAlpha = 0.16;
   plot.ctx.fill(path);
   plot.ctx.globalAlpha = 1;
@@ -42,13 +40,11 @@ function draw_band(plot: uPlot, curve: Curve, scales: Scales): void {
 function draw_points(plot: uPlot, curve: Curve, scales: Scales): void {
   const radius = 3.2 * uPlot.pxRatio;
   plot.ctx.globalAlpha = 0.85;
-  curve.y.forEach((y, k) => {
-    const x = curve.x[k];
-    if (!fits(x, scales.x) || !fits(y, scales.y)) return;
+  for (const k of split_runs([curve.x, curve.y], [scales.x, scales.y]).flat()) {
     plot.ctx.beginPath();
-    plot.ctx.arc(plot.valToPos(x, "x", true), plot.valToPos(y, "y", true), radius, 0, 2 * Math.PI);
+    plot.ctx.arc(plot.valToPos(curve.x[k]!, "x", true), plot.valToPos(curve.y[k]!, "y", true), radius, 0, 2 * Math.PI);
     plot.ctx.fill();
-  });
+  }
   plot.ctx.globalAlpha = 1;
 }
 
@@ -68,13 +64,8 @@ export function draw_curves(plot: uPlot, curves: Curve[], scales: Scales, palett
     ctx.lineJoin = "round";
     ctx.setLineDash(curve.style === "dashed" ? [6 * uPlot.pxRatio, 4 * uPlot.pxRatio] : []);
     draw_band(plot, curve, scales);
-    if (curve.style === "points") {
-      draw_points(plot, curve, scales);
-      continue;
-    }
-    const path = new Path2D();
-    trace(plot, path, curve, curve.y, scales);
-    ctx.stroke(path);
+    if (curve.style === "points") draw_points(plot, curve, scales);
+    else draw_line(plot, curve, scales);
   }
   ctx.restore();
 }

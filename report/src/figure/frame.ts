@@ -69,14 +69,14 @@ function draw_ticks(frame: Frame, request: FrameRequest): void {
     const at = frame.to_x(tick);
     const end = frame.bottom + 5;
     axes.append(make_svg("line", { x1: at, x2: at, y1: frame.bottom, y2: end, stroke: palette.muted }));
-    axes.append(make_svg("text", { x: at, y: end + 14, "text-anchor": "middle" }, write_number(tick)));
+    axes.append(make_svg("text", { class: "tick-x", x: at, y: end + 14, "text-anchor": "middle" }, write_number(tick)));
   }
   for (const tick of make_ticks(y.min, y.max, y.scale, 5)) {
     const at = frame.to_y(tick);
     const from = grid ? frame.right : frame.left;
     axes.append(make_svg("line", { x1: frame.left - 5, x2: frame.left, y1: at, y2: at, stroke: palette.muted }));
     if (grid) axes.append(make_svg("line", { x1: frame.left, x2: from, y1: at, y2: at, stroke: palette.grid }));
-    axes.append(make_svg("text", { x: frame.left - 9, y: at + 4.5, "text-anchor": "end" }, write_number(tick)));
+    axes.append(make_svg("text", { class: "tick-y", x: frame.left - 9, y: at + 4.5, "text-anchor": "end" }, write_number(tick)));
   }
   const corner = `M${frame.left},${frame.top}V${frame.bottom}H${frame.right}`;
   axes.append(make_svg("path", { d: corner, fill: "none", stroke: palette.muted }));

@@ -1,6 +1,6 @@
 // Curves as a vector figure, for print and for papers.
 import type { Curve, Curves } from "../chart/curves";
-import { fits, range_of_x, range_of_y } from "../chart/curves";
+import { range_of_x, range_of_y, split_runs } from "../chart/curves";
 import type { Scale, Value } from "../document";
 import { make_svg } from "../dom";
 import { write_axis_title } from "../format";
@@ -15,41 +15,37 @@ export interface View {
   x_range?: [number, number];
 }
 
-function trace(frame: Frame, xs: Value[], ys: Value[], view: View): string {
-  let path = "";
-  let pen_down = false;
-  ys.forEach((y, k) => {
-    const x = xs[k];
-    const drawn = fits(x, view.x_scale) && fits(y, view.y_scale);
-    if (drawn) path += `${pen_down ? "L" : "M"}${frame.to_x(x).toFixed(2)},${frame.to_y(y).toFixed(2)}`;
-    pen_down = drawn;
-  });
-  return path;
+function place(frame: Frame, xs: Value[], ys: Value[], k: number): string {
+  return `${frame.to_x(xs[k]!).toFixed(2)},${frame.to_y(ys[k]!).toFixed(2)}`;
 }
 
 function draw_band(frame: Frame, curve: Curve, view: View, colour: string): void {
-  if (!curve.low || !curve.high) return;
-  const forth = trace(frame, curve.x, curve.high, view);
-  const back = trace(frame, [...curve.x].reverse(), [...curve.low].reverse(), view).replace("M", "L");
-  frame.plot.append(make_svg("path", { d: `${forth}${back}Z`, fill: colour, "fill-opacity": 0.16 }));
+  const { x, low, high } = curve;
+  if (!low || !high) return;
+  let path = "";
+  for (const run of split_runs([x, low, high], [view.x_scale, view.y_scale, view.y_scale])) {
+    const forth = run.map((k) => place(frame, x, high, k));
+    const back = run.reverse().map((k) => place(frame, x, low, k));
+    path += `M${[...forth, ...back].join("L")}Z`;
+  }
+  frame.plot.append(make_svg("path", { class: "band", d: path, fill: colour, "fill-opacity": 0.16 }));
 }
 
 function draw_curve(frame: Frame, curve: Curve, view: View, colour: string): void {
   draw_band(frame, curve, view, colour);
-  if (curve.style !== "points") {
-    frame.plot.append(make_svg("path", {
-      d: trace(frame, curve.x, curve.y, view), fill: "none", stroke: colour, "stroke-width": 2,
-      "stroke-linejoin": "round", "stroke-dasharray": curve.style === "dashed" ? "6 4" : undefined,
-    }));
+  const runs = split_runs([curve.x, curve.y], [view.x_scale, view.y_scale]);
+  if (curve.style === "points") {
+    for (const k of runs.flat()) {
+      const [cx, cy] = place(frame, curve.x, curve.y, k).split(",");
+      frame.plot.append(make_svg("circle", { "data-series": curve.label, cx, cy, r: 3.2, fill: colour, "fill-opacity": 0.85 }));
+    }
     return;
   }
-  curve.y.forEach((y, k) => {
-    const x = curve.x[k];
-    if (!fits(x, view.x_scale) || !fits(y, view.y_scale)) return;
-    frame.plot.append(make_svg("circle", {
-      cx: frame.to_x(x).toFixed(2), cy: frame.to_y(y).toFixed(2), r: 3.2, fill: colour, "fill-opacity": 0.85,
-    }));
-  });
+  const lines = runs.map((run) => `M${run.map((k) => place(frame, curve.x, curve.y, k)).join("L")}${run.length === 1 ? "h2" : ""}`);
+  frame.plot.append(make_svg("path", {
+    "data-series": curve.label, d: lines.join(""), fill: "none", stroke: colour, "stroke-width": 2,
+    "stroke-linejoin": "round", "stroke-dasharray": curve.style === "dashed" ? "6 4" : undefined,
+  }));
 }
 
 /** Draws the visible curves as the reader has zoomed and scaled them. */

@@ -78,6 +78,7 @@ export function make_view(host: HTMLElement, first: CellFrame, capacity: number)
     rods.set_surroundings(current_palette().surface, [away - 0.6, away + 1.3]);
     renderer.render(scene, camera);
     triad.turn(camera);
+    host.dataset.triangles = String(renderer.info.render.triangles);
   };
   let due = false;
   const redraw = (): void => {

@@ -1,0 +1,113 @@
+// Opens a report from disk in headless Chromium with the network cut and compares what it shows with its document:
+//   node check_report.mjs [--modules NODE_MODULES] [--chromium PROGRAM] [--screenshot PNG] REPORT.html | --template TEMPLATE.html
+// The second form puts the synthetic document of fixture.mjs into the template first.
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { parseArgs } from "node:util";
+import { Expect, plain_label } from "./checks/expect.mjs";
+import { check_fibers } from "./checks/fibers.mjs";
+import { check_heatmap, check_histogram } from "./checks/histogram.mjs";
+import { check_lines } from "./checks/lines.mjs";
+import { check_facts, check_note, check_table } from "./checks/text.mjs";
+import { fill_template } from "./fill_template.mjs";
+import { make_document } from "./fixture.mjs";
+
+const browser_arguments = [
+  "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+];
+
+const checks = {
+  facts: check_facts, lines: check_lines, scatter: check_lines, histogram: check_histogram, table: check_table,
+  heatmap: check_heatmap, fibers: check_fibers,
+};
+
+const { values: options, positionals } = parseArgs({
+  allowPositionals: true,
+  options: {
+    modules: { type: "string", default: fileURLToPath(new URL("../../report/node_modules", import.meta.url)) },
+    chromium: { type: "string", default: "/usr/bin/chromium" },
+    template: { type: "string" },
+    screenshot: { type: "string" },
+  },
+});
+
+/** Opens the report on a page that may load nothing but itself, and notes every error. */
+async function open_report(browser, file, expect, allowed_error = /(?!)/) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true });
+  const page = await context.newPage();
+  page.on("console", (message) => {
+    const bad = message.type() === "error" && !allowed_error.test(message.text());
+    if (bad) expect.that(false, `console error: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => expect.that(false, `uncaught ${error.stack}`));
+  page.on("request", (request) => {
+    const own = /^(file|data|blob):/.test(request.url());
+    if (!own) expect.that(false, `the page asked for ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForSelector("main section");
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return page;
+}
+
+async function check_page(page, found, expect) {
+  expect.equal(await page.locator("h1").textContent(), plain_label(found.title), "title");
+  expect.equal(await page.locator("nav a").count(), found.sections.length, "entries of the contents");
+  expect.equal(await page.locator("main > section").count(), found.sections.length, "sections");
+  for (const section of found.sections) {
+    try {
+      await (checks[section.kind] ?? check_note)(page, section, expect);
+    } catch (error) {
+      expect.that(false, `${section.id}: the check could not go on: ${error.stack}`);
+    }
+  }
+}
+
+/** Without WebGL the page must say so and show everything else. */
+async function check_without_webgl(browser, file, found, expect) {
+  const page = await open_report(browser, file, expect, /WebGL/);
+  await page.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+      return kind.startsWith("webgl") ? null : original.call(this, kind, ...rest);
+    };
+  });
+  await page.reload();
+  await page.waitForSelector("main section");
+  for (const section of found.sections.filter(({ kind }) => kind === "fibers")) {
+    const text = await page.locator(`[id="${section.id}"] .stage`).textContent();
+    expect.that(text.includes("WebGL"), `${section.id}: the page says that WebGL is missing`);
+  }
+  expect.equal(await page.locator("main > section").count(), found.sections.length, "sections without WebGL");
+}
+
+const { chromium } = createRequire(join(resolve(options.modules), "anchor.js"))("playwright-core");
+const folder = mkdtempSync(join(tmpdir(), "fiberfate-report-"));
+const expect = new Expect();
+try {
+  let file = positionals[0] && resolve(positionals[0]);
+  if (options.template) {
+    file = join(folder, "report.html");
+    writeFileSync(file, fill_template(readFileSync(options.template, "utf8"), make_document()));
+  }
+  if (!file) throw new Error("name a report, or a template with --template");
+  const browser = await chromium.launch({ executablePath: options.chromium, args: browser_arguments });
+  try {
+    const page = await open_report(browser, file, expect);
+    const found = JSON.parse(await page.locator("#fiberfate-document").textContent());
+    await check_page(page, found, expect);
+    if (options.screenshot) await page.screenshot({ path: options.screenshot, fullPage: true });
+    await check_without_webgl(browser, file, found, expect);
+  } finally {
+    await browser.close();
+  }
+} finally {
+  rmSync(folder, { recursive: true });
+}
+for (const failure of expect.failures) console.log(`FAILED ${failure}`);
+console.log(`${expect.passed} passed, ${expect.failures.length} failed`);
+process.exitCode = expect.failures.length > 0 || expect.passed === 0 ? 1 : 0;

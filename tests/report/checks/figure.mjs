@@ -1,0 +1,29 @@
+// Reads values back out of a vector figure by its ticks, as a person with a ruler would.
+import { read_number } from "./expect.mjs";
+
+/** Gives the ticks of an axis as [place, value]. */
+async function read_ticks(figure, axis) {
+  const place = axis === "x" ? "x" : "y";
+  const ticks = await figure.locator(`.tick-${axis}`).evaluateAll(
+    (texts, name) => texts.map((text) => [Number(text.getAttribute(name)), text.textContent]), place);
+  // The text of a y tick sits 4.5 below its line.
+  return ticks.map(([at, text]) => [at - (axis === "y" ? 4.5 : 0), read_number(text)]);
+}
+
+/** Makes the map from places in the figure to values of an axis. */
+export async function read_axis(figure, axis, scale) {
+  const ticks = await read_ticks(figure, axis);
+  const [[p0, v0], [p1, v1]] = [ticks[0], ticks.at(-1)];
+  if (scale === "log") return (place) => v0 * (v1 / v0) ** ((place - p0) / (p1 - p0));
+  return (place) => v0 + ((v1 - v0) * (place - p0)) / (p1 - p0);
+}
+
+/** Asks the page for its print figures and hands a section's to `use`. */
+export async function with_print_figure(page, id, use) {
+  await page.evaluate(() => window.dispatchEvent(new Event("beforeprint")));
+  try {
+    await use(page.locator(`[id="${id}"] .print-figure`));
+  } finally {
+    await page.evaluate(() => window.dispatchEvent(new Event("afterprint")));
+  }
+}
