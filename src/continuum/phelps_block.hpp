@@ -25,7 +25,7 @@ struct PhelpsBlock {
   const double* weights;  ///< w_j, [terms + 1][8]
   const double* tails;    ///< W_j, [terms + 1][8], the last one zero
   double* numbers;        ///< N, in and out
-  double* power;          ///< scratch: (I + R P/Q)^j N
+  double* power;          ///< scratch: (I + R P/Q)^j N, what breaks next taken away
   double* broken;         ///< scratch: P/Q times that
   double* integral;       ///< scratch: u
 };

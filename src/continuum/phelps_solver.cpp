@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t lanes = 8;
 /// Share of the breakage events that the series may leave out, each part of a step.
-constexpr double series_tolerance = 1e-13;
+constexpr double series_tolerance = 1e-14;
 /// Events Qt a fiber may meet in one part of a step: more cost more parts, fewer waste the series' start.
 constexpr double largest_exposure = 32;
-/// Enough for the tolerance at the largest exposure (the rest is below 1e-13 after 86 terms).
+/// Enough for the tolerance at the largest exposure (the rest is below 1e-14 after 84 terms).
 constexpr std::size_t most_terms = 96;
 
 class AlignedDoubles {

@@ -31,7 +31,7 @@ struct LengthBins {
 
 /// Solves dN_i/dt = -P_i N_i + sum_k R_ik N_k, with P from BreakageRate and R from child_numbers.
 ///
-/// A step in which the flow is constant is exact to 1e-13 of the total length however long it is: the series
+/// A step in which the flow is constant is exact to 1e-14 of the events however long it is: the series
 /// of PhelpsBlock, ended where its rest is below that, in as many equal parts as its weights need. Numbers
 /// stay positive, fiber length is conserved to round-off, L_N and L_W never rise. Fibers of the first bin
 /// cannot break, whatever Durin's rate says: their pieces have no bin, and length would be lost.
