@@ -51,32 +51,24 @@ void sync_folder_of(const std::string& path) {
   if (descriptor.number() >= 0) ::fsync(descriptor.number());
 }
 
-void replace_bytes(const std::string& path, const char* bytes, std::size_t count) {
-  const std::string fresh = path + ".new";
-  try {
-    const Descriptor file(fresh, O_WRONLY | O_CREAT | O_TRUNC);
-    if (file.number() < 0) throw storage_error("cannot create", fresh);
-    if (!write_all(file.number(), bytes, count)) throw storage_error("cannot write", path);
-    if (::fsync(file.number()) != 0) throw storage_error("cannot write", path);
-    rename_file(fresh, path);
-  } catch (...) {
-    ::unlink(fresh.c_str());
-    throw;
-  }
-}
-
 }  // namespace
 
 StorageError storage_error(std::string_view action, const std::string& path) {
   return StorageError(fmt::format("{} {}: {}", action, path, std::strerror(errno)));
 }
 
-void replace_file(const std::string& path, std::span<const std::byte> bytes) {
-  replace_bytes(path, reinterpret_cast<const char*>(bytes.data()), bytes.size());
-}
-
 void replace_file(const std::string& path, std::string_view text) {
-  replace_bytes(path, text.data(), text.size());
+  const std::string fresh = path + ".new";
+  try {
+    const Descriptor file(fresh, O_WRONLY | O_CREAT | O_TRUNC);
+    if (file.number() < 0) throw storage_error("cannot create", fresh);
+    if (!write_all(file.number(), text.data(), text.size())) throw storage_error("cannot write", path);
+    if (::fsync(file.number()) != 0) throw storage_error("cannot write", path);
+    rename_file(fresh, path);
+  } catch (...) {
+    ::unlink(fresh.c_str());
+    throw;
+  }
 }
 
 std::string read_file(const std::string& path) {

@@ -1,8 +1,6 @@
 // Writes files so that a reader, a crash or a full disk never meets half of one.
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,10 +11,9 @@ namespace fiberfate {
 /// Makes the error of a failed system call: "cannot write DIR/x: No space left on device" (reads errno).
 [[nodiscard]] StorageError storage_error(std::string_view action, const std::string& path);
 
-/// Replaces a file: the bytes go to a new file in the same folder, which is synced and then renamed. At any
+/// Replaces a file: the text goes to a new file in the same folder, which is synced and then renamed. At any
 /// moment the path holds the old content or the new one, whole. Raises StorageError; the old content then
 /// stays and the new file is removed.
-void replace_file(const std::string& path, std::span<const std::byte> bytes);
 void replace_file(const std::string& path, std::string_view text);
 
 /// Reads a whole file; raises StorageError.

@@ -11,7 +11,6 @@ namespace fiberfate {
 namespace {
 
 constexpr std::uint64_t checksum_chunk_rows = 1 << 16;
-constexpr std::size_t memory_increment = 1 << 22;  // by which a file in memory grows, bytes
 constexpr unsigned deflate_level = 4;
 
 /// Prepares the library once: no messages of its own, no clean-up at exit that would retry a failed write.
@@ -114,14 +113,6 @@ Hdf5File Hdf5File::create(const std::string& path) {
           path};
 }
 
-Hdf5File Hdf5File::create_in_memory(const std::string& name) {
-  prepare_library();
-  const Hdf5Handle access = access_list(name);
-  const Hdf5Action action{"cannot create", name, {}};
-  checked(H5Pset_fapl_core(access, memory_increment, 0), action);
-  return {checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), action), name};
-}
-
 Hdf5File Hdf5File::open(const std::string& path, Access access) {
   prepare_library();
   const Hdf5Handle list = access_list(path);
@@ -145,14 +136,6 @@ Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
 void Hdf5File::close() {
   checked(H5Fflush(id_, H5F_SCOPE_GLOBAL), {"cannot write", path_, {}});
   checked(H5Fclose(std::exchange(id_, -1)), {"cannot write", path_, {}});
-}
-
-std::vector<std::byte> Hdf5File::image() {
-  const Hdf5Action action{"cannot lay out", path_, {}};
-  checked(H5Fflush(id_, H5F_SCOPE_GLOBAL), action);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(checked(H5Fget_file_image(id_, nullptr, 0), action)));
-  checked(H5Fget_file_image(id_, bytes.data(), bytes.size()), action);
-  return bytes;
 }
 
 bool Hdf5File::contains(const std::string& name) const {

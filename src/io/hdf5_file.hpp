@@ -2,7 +2,6 @@
 // reason.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -46,8 +45,6 @@ class Hdf5File {
 
   /// Makes a new file, over an existing one.
   [[nodiscard]] static Hdf5File create(const std::string& path);
-  /// Makes a file that lives in memory until image() is written; `name` is for messages.
-  [[nodiscard]] static Hdf5File create_in_memory(const std::string& name);
   [[nodiscard]] static Hdf5File open(const std::string& path, Access access);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
@@ -55,8 +52,6 @@ class Hdf5File {
 
   /// Writes what is still in memory and closes; raises StorageError when that fails.
   void close();
-  /// Tells the bytes of the file as it would be on disk.
-  [[nodiscard]] std::vector<std::byte> image();
   [[nodiscard]] const std::string& path() const { return path_; }
 
   [[nodiscard]] bool contains(const std::string& name) const;

@@ -1,0 +1,54 @@
+// Tests that random numbers are a pure function of their counter and follow their laws.
+#include "base/random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fiberfate {
+namespace {
+
+TEST(Random, IsAFunctionOfSeedStreamAndCounter) {
+  const double value = uniform(1, RandomStream::breakage, {2, 3, 4});
+  EXPECT_EQ(value, uniform(1, RandomStream::breakage, {2, 3, 4}));
+  EXPECT_NE(value, uniform(2, RandomStream::breakage, {2, 3, 4}));
+  EXPECT_NE(value, uniform(1, RandomStream::position, {2, 3, 4}));
+  EXPECT_NE(value, uniform(1, RandomStream::breakage, {3, 3, 4}));
+  EXPECT_NE(value, uniform(1, RandomStream::breakage, {2, 4, 4}));
+  EXPECT_NE(value, uniform(1, RandomStream::breakage, {2, 3, 5}));
+}
+
+TEST(Random, UniformHasTheMomentsOfTheUnitInterval) {
+  constexpr std::uint32_t draws = 20000;
+  double sum = 0;
+  double squares = 0;
+  for (std::uint32_t i = 0; i < draws; ++i) {
+    for (const double u : uniform4(7, RandomStream::noise, {i, 0, 0})) {
+      ASSERT_GT(u, 0.0);
+      ASSERT_LT(u, 1.0);
+      sum += u;
+      squares += u * u;
+    }
+  }
+  // Four standard errors: sqrt(1/12/80000) = 1.0e-3 and sqrt(4/45/80000) = 1.05e-3.
+  EXPECT_NEAR(sum / (4 * draws), 0.5, 4.1e-3);
+  EXPECT_NEAR(squares / (4 * draws), 1.0 / 3, 4.2e-3);
+}
+
+TEST(Random, NormalHasZeroMeanAndUnitVariance) {
+  constexpr std::uint32_t draws = 40000;
+  double sum = 0;
+  double squares = 0;
+  for (std::uint32_t i = 0; i < draws; ++i) {
+    for (const double z : normal2(7, RandomStream::noise, {i, 1, 0})) {
+      sum += z;
+      squares += z * z;
+    }
+  }
+  // Four standard errors: sqrt(1/80000) = 3.5e-3 and sqrt(2/80000) = 5e-3.
+  EXPECT_NEAR(sum / (2 * draws), 0.0, 1.4e-2);
+  EXPECT_NEAR(squares / (2 * draws), 1.0, 2.0e-2);
+}
+
+}  // namespace
+}  // namespace fiberfate
