@@ -1,0 +1,84 @@
+// Moves packed chains downhill in energy: repulsion, bending, a barrier on curvature and a hold on
+// orientation.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "packing/chains.hpp"
+#include "packing/rod_neighbours.hpp"
+#include "packing/rod_repulsion.hpp"
+
+namespace fiberfate {
+
+/// Holds the energy that is minimised (docs/theory/packing.md), in units of packing.
+struct PackingEnergy {
+  RepulsionLaw repulsion;
+  double bending = 1;         ///< multiplies the fibers' own bending stiffness
+  double barrier_radius = 0;  ///< hinges bent more sharply than this are straightened; 0: none
+  double barrier = 1;         ///< stiffness of that, per E I / l³ of 1
+  double orientation = 0;     ///< k of the couple k (A2 − A2*)·p on every rod
+};
+
+/// Tells how far a minimisation is.
+struct PackingMeasure {
+  double largest_overlap = 0;  ///< in sums of two radii; negative when no rods touch
+  double largest_bend = 0;  ///< largest |x_{k+1} − 2 x_k + x_{k−1}| / l² = curvature, per unit of length
+  double orientation_error = 0;  ///< largest component of |A2 − A2*|
+  double mean_square_force = 0;  ///< per node, after projection
+  double kinetic = 0;            ///< sum of v², per node
+  double energy = 0;             ///< of repulsion, per node
+};
+
+/// Minimises by FIRE (Bitzek et al., PRL 97 (2006) 170201) under exactly inextensible rods. Bitwise the same
+/// for any number of threads: loads are gathered by rod, sums run over fibers in order.
+class Minimiser {
+ public:
+  Minimiser(Chains& chains, const Mat3& target) : chains_(chains), target_(target) { start(); }
+  /// Takes another energy; velocities are kept.
+  void use(const PackingEnergy& energy);
+  /// Makes one step; the measure is that of the positions before it.
+  PackingMeasure step();
+  /// Measures the present positions without moving them.
+  PackingMeasure measure();
+  [[nodiscard]] std::int64_t rebuilds() const { return rebuilds_; }
+  /// Brings all rods to their lengths to round-off.
+  void finish();
+
+ private:
+  struct FiberSums {
+    double power = 0, force = 0, speed = 0, bend = 0, overlap = -1, energy = 0, farthest = 0;
+    Mat3 moment = Mat3::Zero();
+  };
+  void start();
+  void renew_neighbours();
+  void load_fibers();
+  void load(std::size_t fiber, FiberSums& sums, ChainConstraints& constraints);
+  void add_bending(std::size_t fiber, FiberSums& sums);
+  void add_walls(std::size_t fiber);
+  PackingMeasure summarise() const;
+  void steer(double power);
+  void move_fibers(double force, double speed);
+  void move(std::size_t fiber, double keep, double follow, ChainConstraints& constraints);
+
+  Chains& chains_;
+  Mat3 target_;
+  PackingEnergy energy_;
+  RodNeighbours neighbours_;
+  std::vector<RodLoad> loads_;
+  std::vector<FiberSums> sums_;
+  std::vector<Vec3> listed_position_;
+  Mat3 orientation_error_ = Mat3::Zero();
+  double total_length_ = 0;
+  NeighbourRange range_ = {0, 0, 1};
+  int list_age_ = 0;
+  bool lists_valid_ = false;
+  std::int64_t rebuilds_ = 0;
+
+  double step_size_ = 0, largest_step_size_ = 0, mixing_ = 0;
+  int downhill_ = 0;
+};
+
+}  // namespace fiberfate
