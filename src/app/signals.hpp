@@ -1,0 +1,19 @@
+// Lets a signal end a run in good order instead of at once.
+#pragma once
+
+namespace fiberfate {
+
+/// While it lives, SIGTERM and SIGINT only leave a note that stop_requested() tells; a second one ends the
+/// program at once. A file that grows beyond its limit becomes an error of the write instead of a signal.
+class SignalWatch {
+ public:
+  SignalWatch();
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+};
+
+/// Tells whether a signal has asked the run to stop.
+[[nodiscard]] bool stop_requested();
+
+}  // namespace fiberfate
