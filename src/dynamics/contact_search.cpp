@@ -49,11 +49,14 @@ class ChunkSearch {
   }
 
  private:
-  /// Travels of both fibers so far and in the coming step.
+  /// Travels of both rods so far and in the coming step.
   [[nodiscard]] double approach(const RodPair& pair) const {
-    const auto f = static_cast<std::size_t>(neighbours_.fiber_of(pair.first));
-    const auto g = static_cast<std::size_t>(neighbours_.fiber_of(pair.second));
-    return travel_[f] + travel_[g] + demand_.ahead[f] + demand_.ahead[g] + 2 * demand_.strain_share;
+    const auto i = static_cast<std::size_t>(pair.first);
+    const auto j = static_cast<std::size_t>(pair.second);
+    return travel_[i] + travel_[j] + coming(i, j);
+  }
+  [[nodiscard]] double coming(std::size_t i, std::size_t j) const {
+    return demand_.ahead[i] + demand_.ahead[j] + 2 * demand_.strain_share;
   }
 
   [[nodiscard]] bool is_exempt(const RodPair& pair) const {
@@ -64,45 +67,26 @@ class ChunkSearch {
   }
 
   void gather(RodPair& pair) {
-    const auto i = static_cast<std::size_t>(pair.first);
-    const auto j = static_cast<std::size_t>(pair.second);
-    const Vec3& x = state_.position[i];
-    const Vec3& y = state_.position[j];
-    const Mat3& h = state_.cell.lattice;
-    const double a = pair.image[0], b = pair.image[1], c = pair.image[2];
-    for (int d = 0; d < 3; ++d) {
-      block_.offset[d][count_] = x[d] - y[d] - (h(d, 0) * a + h(d, 1) * b + h(d, 2) * c);
-      block_.first[d][count_] = state_.position[i + 1][d] - x[d];
-      block_.second[d][count_] = state_.position[j + 1][d] - y[d];
-    }
-    source_[count_++] = &pair;
+    block_.put(count_, state_, pair.first, pair.second, pair.image);
+    source_[static_cast<std::size_t>(count_++)] = &pair;
   }
 
   void evaluate(std::vector<Contact>& contacts) {
-    for (int i = count_; i % 8 != 0; ++i) repeat_first(i);
+    block_.fill_up(count_);
     find_segment_distances(block_, count_);
     for (int i = 0; i < count_; ++i) {
-      RodPair& pair = *source_[i];
-      const auto f = static_cast<std::size_t>(neighbours_.fiber_of(pair.first));
-      const auto g = static_cast<std::size_t>(neighbours_.fiber_of(pair.second));
+      RodPair& pair = *source_[static_cast<std::size_t>(i)];
+      const auto first = static_cast<std::size_t>(pair.first);
+      const auto second = static_cast<std::size_t>(pair.second);
       const double gap = block_.distance[i] - demand_.range;
-      pair.wake = travel_[f] + travel_[g] + std::max(0.0, gap);
-      if (gap < demand_.ahead[f] + demand_.ahead[g] + 2 * demand_.strain_share) keep(i, contacts);
+      pair.wake = travel_[first] + travel_[second] + std::max(0.0, gap);
+      if (gap < coming(first, second)) keep(i, contacts);
     }
     count_ = 0;
   }
 
-  /// Fills an unused lane with a harmless pair.
-  void repeat_first(int lane) {
-    for (int d = 0; d < 3; ++d) {
-      block_.offset[d][lane] = block_.offset[d][0];
-      block_.first[d][lane] = block_.first[d][0];
-      block_.second[d][lane] = block_.second[d][0];
-    }
-  }
-
   void keep(int i, std::vector<Contact>& contacts) const {
-    const RodPair& pair = *source_[i];
+    const RodPair& pair = *source_[static_cast<std::size_t>(i)];
     const Index f = neighbours_.fiber_of(pair.first);
     const Index g = neighbours_.fiber_of(pair.second);
     const Vec3 separation(block_.separation[0][i], block_.separation[1][i], block_.separation[2][i]);

@@ -25,9 +25,8 @@ struct Contact {
 struct ContactDemand {
   double range = 0;  ///< distance of axes below which a force may act, m
   double strain_share =
-      0;  ///< what strain adds to the approach of a pair in the coming step, a fiber's share, m
-  std::span<const double>
-      ahead;  ///< how far each fiber may travel in the coming step relative to the fluid, m
+      0;  ///< what strain adds to the approach of a pair in the coming step, a rod's share, m
+  std::span<const double> ahead;  ///< how far each rod may travel in the coming step relative to the fluid, m
 };
 
 /// Finds all contacts that can carry a force in the coming step: pairs whose distance is below `range` plus

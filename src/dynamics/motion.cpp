@@ -61,16 +61,15 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
     const Index fiber = static_cast<Index>(f);
     const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
     const auto end = static_cast<std::size_t>(state.end_node(fiber));
-    double farthest = 0;
     for (std::size_t n = begin; n < end; ++n) {
       const Vec3 displacement =
           step * (relative_velocity[n] + 0.5 * step * (flow.gradient * state.relative_velocity[n]));
       state.position[n] = affine * state.position[n] + displacement;
       state.relative_velocity[n] = relative_velocity[n];
-      farthest = std::max(farthest, displacement.squaredNorm());
+      travelled[n] = displacement.norm();
+      if (n > begin) travelled[n - 1] = std::max(travelled[n - 1], travelled[n]);
     }
     restore_lengths(state, fiber);
-    travelled[static_cast<std::size_t>(f)] = std::sqrt(farthest);
   });
   deform(state.cell, flow.gradient, step);
   state.time += step;
@@ -98,10 +97,11 @@ double displacement_error(const FiberState& state, double step, std::span<const 
 void largest_speeds(const FiberState& state, std::span<double> speed) {
   parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
-    double largest = 0;
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k)
-      largest = std::max(largest, state.relative_velocity[static_cast<std::size_t>(k)].squaredNorm());
-    speed[static_cast<std::size_t>(f)] = std::sqrt(largest);
+    const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
+    for (std::size_t n = begin; n < static_cast<std::size_t>(state.end_node(fiber)); ++n) {
+      speed[n] = state.relative_velocity[n].norm();
+      if (n > begin) speed[n - 1] = std::max(speed[n - 1], speed[n]);
+    }
   });
 }
 

@@ -24,7 +24,7 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
 [[nodiscard]] double displacement_error(const FiberState& state, double step,
                                         std::span<const Vec3> relative_velocity);
 
-/// Largest speed of a node relative to the fluid, by fiber, m/s.
+/// Largest speed of every rod relative to the fluid (one entry a node, rods stand at their first node), m/s.
 void largest_speeds(const FiberState& state, std::span<double> speed);
 
 /// Makes the cell compact again and brings strayed fibers back into it; tells whether anything was done,

@@ -20,7 +20,7 @@ namespace {
 // A list is made to last for about this many steps at the present speeds; margins stay within bounds in
 // radii.
 constexpr double list_life = 12;
-constexpr double least_margin = 0.05;
+constexpr double least_margin = 0.1;
 constexpr double most_margin = 2.0;
 
 void require_simulable(const FiberState& state) {
@@ -49,16 +49,15 @@ struct Simulation::Parts {
 
   /// Renews everything that depends on which fibers there are.
   void fit_to_fibers() {
-    const auto fibers = static_cast<std::size_t>(state.fiber_count());
     const auto nodes = static_cast<std::size_t>(state.node_count());
     unit_drag = unit_drag_of_rods(state, parameters.drag);
     solver.arrange(state);
     middle.resize(nodes);
     velocity.resize(nodes);
     tension.resize(nodes);
-    speed.resize(fibers);
-    ahead.resize(fibers);
-    travelled.resize(fibers);
+    speed.resize(nodes);
+    ahead.resize(nodes);
+    travelled.resize(nodes);
     list_is_stale = true;
   }
 
@@ -158,12 +157,15 @@ void Simulation::Parts::find_contacts(const Flow& now, double step) {
 
 void Simulation::Parts::build_list(double step) {
   std::vector<double> margin(speed.size());
-  for (std::size_t f = 0; f < margin.size(); ++f) {
-    const double radius = state.material(static_cast<Index>(f)).radius;
-    margin[f] = std::max(std::min(list_life * step * speed[f], most_margin * radius),
-                         least_margin * radius + 2 * step * speed[f]);
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+    const double radius = state.material(fiber).radius;
+    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
+      const auto n = static_cast<std::size_t>(k);
+      margin[n] = std::max(std::min(list_life * step * speed[n], most_margin * radius),
+                           least_margin * radius + 2 * step * speed[n]);
+    }
   }
-  neighbours.build(state, {loads.range(), margin});
+  neighbours.build(state, loads.range(), std::move(margin));
   list_is_stale = false;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/LU>
-#include <Eigen/LU>
 #include <array>
 
 #include "base/vector.hpp"

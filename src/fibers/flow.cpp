@@ -1,6 +1,7 @@
 // Follows the flow over time.
 #include "fibers/flow.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -14,6 +15,13 @@ Flow simple_shear(double rate, double viscosity) {
   flow.gradient(0, 1) = rate;
   flow.viscosity = viscosity;
   return flow;
+}
+
+double principal_rate(const Flow& flow) {
+  return Eigen::SelfAdjointEigenSolver<Mat3>(flow.rate_of_strain(), Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .cwiseAbs()
+      .maxCoeff();
 }
 
 FlowHistory::FlowHistory(std::vector<FlowInterval> intervals) : intervals_(std::move(intervals)) {

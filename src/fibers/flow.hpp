@@ -24,6 +24,10 @@ struct Flow {
 /// Makes simple shear u_x = rate · y.
 [[nodiscard]] Flow simple_shear(double rate, double viscosity);
 
+/// Largest principal rate of strain, 1/s: the distance of two fluid points changes at most at this relative
+/// rate.
+[[nodiscard]] double principal_rate(const Flow& flow);
+
 /// Holds one row of a flow history: this simple shear acts until `end_time`.
 struct FlowInterval {
   double end_time = 0;   ///< s

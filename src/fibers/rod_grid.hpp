@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "fibers/state.hpp"
@@ -10,66 +9,52 @@
 namespace fiberfate {
 
 /// Bins rods by their midpoints in fractional coordinates, so that a tilted cell needs no special case.
-/// Coordinates are kept in single precision: the grid only culls.
+///
+/// Entries are sorted by bin; bins that follow one another in the third direction lie side by side, so that a
+/// row of them is one run. Coordinates are kept in single precision: the grid only culls.
 class RodGrid {
  public:
-  /// Holds one binned rod.
-  struct Entry {
-    std::array<float, 3> midpoint;   ///< wrapped into the cell, m
-    std::array<float, 3> half_axis;  ///< from the midpoint to the rod's end, m
-    float half_length;               ///< m
-    Index rod;
-    std::array<std::int16_t, 3> image;  ///< the cell image that the unwrapped midpoint lies in
+  /// Runs are read in whole vectors; so many entries beyond the last one may be read.
+  static constexpr std::size_t padding = 16;
+
+  /// Holds consecutive entries whose midpoints, moved by the lattice shift, may be near.
+  struct Run {
+    Index begin = 0;
+    Index end = 0;
+    IntVec3 shift = IntVec3::Zero();
   };
 
-  /// Bins all rods with bins no narrower than `bin_width`.
-  void fill(const FiberState& state, double bin_width);
+  /// Bins all rods, with bins no narrower than `bin_width` (m); `margin` is kept with each rod.
+  void fill(const FiberState& state, double bin_width, const std::vector<double>& margin);
 
-  /// Calls visit(entries, shift) for every bin, with its image shift, that may hold midpoints within `reach`
-  /// of a midpoint in the given bin.
-  template <class Visit>
-  void visit_around(const std::array<int, 3>& bin, double reach, const Visit& visit) const {
-    const std::array<int, 3> span = bins_within(reach);
-    for (int x = -span[0]; x <= span[0]; ++x) {
-      for (int y = -span[1]; y <= span[1]; ++y) {
-        for (int z = -span[2]; z <= span[2]; ++z) visit_bin({bin[0] + x, bin[1] + y, bin[2] + z}, visit);
-      }
-    }
+  /// Lists the runs that hold every midpoint within `reach` of the given entry's.
+  void runs_around(Index entry, double reach, std::vector<Run>& runs) const;
+
+  // One entry a rod, sorted by bin, then by rod.
+  std::vector<float> x, y, z;                      ///< midpoint, wrapped into the cell, m
+  std::vector<float> half_length;                  ///< m
+  std::vector<float> margin_of;                    ///< m
+  std::vector<Index> rod;                          ///< number of the rod
+  std::vector<std::array<std::int16_t, 3>> image;  ///< the cell image that the unwrapped midpoint lies in
+
+  /// Tells the entry of a rod.
+  [[nodiscard]] Index entry_of(Index rod_number) const {
+    return entry_of_[static_cast<std::size_t>(rod_number)];
   }
 
-  [[nodiscard]] std::array<int, 3> bin_of(const Entry& entry) const;
-  [[nodiscard]] std::span<const Entry> entries() const { return entries_; }
-  /// Tells where a rod stands in entries().
-  [[nodiscard]] Index place_of(Index rod) const { return place_[static_cast<std::size_t>(rod)]; }
-
  private:
-  [[nodiscard]] std::array<int, 3> bins_within(double reach) const;
+  [[nodiscard]] std::array<int, 3> bin_at(const Vec3& midpoint) const;
   [[nodiscard]] std::size_t bin_index(const std::array<int, 3>& bin) const {
     return static_cast<std::size_t>((bin[0] * bins_[1] + bin[1]) * bins_[2] + bin[2]);
   }
-
-  template <class Visit>
-  void visit_bin(std::array<int, 3> bin, const Visit& visit) const {
-    IntVec3 shift = IntVec3::Zero();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int turns = bin[i] >= 0 ? bin[i] / bins_[i] : -((bins_[i] - 1 - bin[i]) / bins_[i]);
-      if (turns != 0 && boundary_[i] != Boundary::periodic) return;
-      shift[static_cast<int>(i)] = turns;
-      bin[i] -= turns * bins_[i];
-    }
-    const std::size_t b = bin_index(bin);
-    const auto first = static_cast<std::size_t>(begin_[b]);
-    const auto count = static_cast<std::size_t>(begin_[b + 1]) - first;
-    if (count > 0) visit(std::span<const Entry>(entries_.data() + first, count), shift);
-  }
+  void add_row(const std::array<int, 3>& from, int count, IntVec3 shift, std::vector<Run>& runs) const;
 
   std::array<int, 3> bins_ = {1, 1, 1};
   std::array<double, 3> height_ = {1, 1, 1};
   std::array<Boundary, 3> boundary_{};
   Mat3 to_fraction_ = Mat3::Identity();
-  std::vector<Entry> entries_;  // sorted by bin, then by rod
-  std::vector<Index> begin_;    // of each bin in entries_
-  std::vector<Index> place_;    // of each rod in entries_
+  std::vector<Index> begin_;  // of each bin in the entries
+  std::vector<Index> entry_of_;
 };
 
 }  // namespace fiberfate
