@@ -75,17 +75,16 @@ Problem random_problem(RandomSource& random, int rods) {
     load.resistance = {block(0, 0), block(1, 1), block(2, 2), block(1, 2), block(2, 0), block(0, 1)};
     problem.loads.emplace_back(random.integer(0, rods - 1), load);
   }
-  std::stable_sort(problem.loads.begin(), problem.loads.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
   return problem;
 }
 
 RodLoads loads_of(const Problem& problem) {
   RodLoads loads;
-  loads.reset(problem.state.node_count());
-  for (const auto& [rod, load] : problem.loads) loads.count(rod);
-  loads.allocate();
-  for (const auto& [rod, load] : problem.loads) loads.place(rod) = load;
+  std::vector<Index> rods;
+  std::vector<Index> slots;
+  for (const auto& [rod, load] : problem.loads) rods.push_back(rod);
+  loads.arrange(problem.state.node_count(), rods, slots);
+  for (std::size_t i = 0; i < slots.size(); ++i) loads.slot(slots[i]) = problem.loads[i].second;
   return loads;
 }
 
