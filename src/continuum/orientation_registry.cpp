@@ -1,0 +1,225 @@
+// Keeps the list of orientation laws.
+#include "continuum/orientation_registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "microstructure/closure.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+using Constants = OrientationConstants;
+
+template <class Choice>
+Choice choice_named(const std::vector<OrientationChoice<Choice>>& all, std::string_view name,
+                    const char* kind) {
+  std::vector<std::string> names;
+  for (const auto& one : all) {
+    if (one.name == name) return one.choice;
+    names.push_back(one.name);
+  }
+  const std::string_view near = nearest_word(name, names);
+  throw InputError(fmt::format("there is no {} '{}'", kind, name),
+                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
+                                : fmt::format("did you mean '{}'?", near));
+}
+
+template <class Choice>
+const OrientationChoice<Choice>& description(const std::vector<OrientationChoice<Choice>>& all,
+                                             Choice choice) {
+  return *std::ranges::find(all, choice, &OrientationChoice<Choice>::choice);
+}
+
+/// Names the constants that a model reads.
+std::vector<std::string> constants_of(const OrientationModel& model) {
+  std::vector<std::string> names = {"xi", "u0"};
+  for (const auto& one : description(rotary_diffusions(), model.diffusion).constants) names.push_back(one);
+  for (const auto& one : description(retardations(), model.retardation).constants) names.push_back(one);
+  return names;
+}
+
+std::string complaint_about(const OrientationConstant& constant, double value, bool read) {
+  const LawParameter& parameter = constant.parameter;
+  if (!std::isfinite(value)) return fmt::format("{} is not a finite number", parameter.name);
+  if (!read && value != parameter.standard_value)
+    return fmt::format("{} = {:g} is not read by this law", parameter.name, value);
+  if (read && (value < parameter.lower || value > parameter.upper))
+    return fmt::format("{} = {:g} is outside [{:g}, {:g}]", parameter.name, value, parameter.lower,
+                       parameter.upper);
+  return {};
+}
+
+}  // namespace
+
+const std::vector<OrientationConstant>& orientation_constants() {
+  static const std::vector<OrientationConstant> all = {
+      {{"xi", "1", "Shape factor (r²-1)/(r²+1) of fibers of aspect ratio r; 1 for slender ones.", 1, -1, 1},
+       &Constants::xi},
+      {{"c_i", "1", "Interaction coefficient C_I: strength of rotary diffusion.", 0, 0, unbounded},
+       &Constants::c_i},
+      {{"c_m", "1", "Fiber-matrix interaction C_M: how much diffusion is suppressed along the flow.", 0, 0,
+        1},
+       &Constants::c_m},
+      {{"omega", "1", "Share of diffusion along the second principal axis.", 1, 0, 1}, &Constants::omega},
+      {{"d1", "1", "Diffusion along the first principal axis, in units of C_I.", 1, 0, unbounded},
+       &Constants::d1},
+      {{"d2", "1", "Diffusion along the second principal axis, in units of C_I.", 0, 0, unbounded},
+       &Constants::d2},
+      {{"d3", "1", "Diffusion along the third principal axis, in units of C_I.", 0, 0, unbounded},
+       &Constants::d3},
+      {{"b1", "1", "Isotropic diffusion.", 0, -unbounded, unbounded}, &Constants::b1},
+      {{"b2", "1", "Diffusion along A.", 0, -unbounded, unbounded}, &Constants::b2},
+      {{"b3", "1", "Diffusion along A².", 0, -unbounded, unbounded}, &Constants::b3},
+      {{"b4", "1", "Diffusion along D/rate.", 0, -unbounded, unbounded}, &Constants::b4},
+      {{"b5", "1", "Diffusion along D²/rate².", 0, -unbounded, unbounded}, &Constants::b5},
+      {{"kappa", "1", "Factor on the rates of the principal values.", 1, 0, 1}, &Constants::kappa},
+      {{"alpha", "1", "Share by which the rates of the principal values are reduced.", 0, 0, 1},
+       &Constants::alpha},
+      {{"beta", "s", "Tunes the retardation by products of the rates.", 0, 0, unbounded}, &Constants::beta},
+      {{"srf", "1", "Factor on the whole rate.", 1, 0, 1}, &Constants::srf},
+      {{"u0", "1", "Maier-Saupe potential; stable below 8 C_I.", 0, -unbounded, unbounded}, &Constants::u0}};
+  return all;
+}
+
+const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions() {
+  static const std::vector<OrientationChoice<RotaryDiffusion>> all = {
+      {RotaryDiffusion::none, "jeffery", "No diffusion.", "Jeffery, Proc. R. Soc. A 102, 161 (1922)", {}},
+      {RotaryDiffusion::folgar_tucker,
+       "folgar_tucker",
+       "C = C_I I.",
+       "Folgar, Tucker, J. Reinf. Plast. Compos. 3, 98 (1984)",
+       {"c_i"}},
+      {RotaryDiffusion::ard,
+       "ard",
+       "C = b1 I + b2 A + b3 A² + b4 D/rate + b5 D²/rate².",
+       "Phelps, Tucker, J. Non-Newton. Fluid Mech. 156, 165 (2009)",
+       {"b1", "b2", "b3", "b4", "b5"}},
+      {RotaryDiffusion::iard,
+       "iard",
+       "C = C_I (I - C_M D²/|D²|), |X| = sqrt(X:X/2); indefinite in uniaxial flow for "
+       "C_M > 3/4.",
+       "Tseng, Chang, Hsu, J. Rheol. 60, 215 (2016)",
+       {"c_i", "c_m"}},
+      {RotaryDiffusion::pard,
+       "pard",
+       "C = C_I R diag(1, Omega, 1 - Omega) Rᵀ in the axes of A.",
+       "Tseng, Chang, Hsu, J. Rheol. 62, 313 (2018)",
+       {"c_i", "omega"}},
+      {RotaryDiffusion::mrd,
+       "mrd",
+       "C = C_I R diag(D1, D2, D3) Rᵀ in the axes of A.",
+       "Bakharev, Yu, Speight, Wang, ANTEC (2018)",
+       {"c_i", "d1", "d2", "d3"}},
+      {RotaryDiffusion::wpt,
+       "wpt",
+       "C = b1 I + b3 A².",
+       "Favaloro, Tucker, Composites A 126, 105605 (2019)",
+       {"b1", "b3"}}};
+  return all;
+}
+
+const std::vector<OrientationChoice<Retardation>>& retardations() {
+  static const std::vector<OrientationChoice<Retardation>> all = {
+      {Retardation::none, "none", "No retardation.", "", {}},
+      {Retardation::rsc,
+       "rsc",
+       "Reduced strain closure: the principal values change kappa times as fast.",
+       "Wang, O'Gara, Tucker, J. Rheol. 52, 1179 (2008)",
+       {"kappa"}},
+      {Retardation::rpr,
+       "rpr",
+       "Retarding principal rate; with beta = 0 the same as rsc with kappa = 1 - alpha.",
+       "Tseng, Chang, Hsu, Phys. Fluids 25, 53103 (2013)",
+       {"alpha", "beta"}},
+      {Retardation::srf,
+       "srf",
+       "Strain reduction factor on the whole rate; not objective.",
+       "Huynh, MS thesis, University of Illinois (2001)",
+       {"srf"}}};
+  return all;
+}
+
+const std::vector<NamedOrientationModel>& named_orientation_models() {
+  static const std::vector<NamedOrientationModel> all = {
+      {"jeffery", RotaryDiffusion::none, Retardation::none},
+      {"folgar_tucker", RotaryDiffusion::folgar_tucker, Retardation::none},
+      {"rsc", RotaryDiffusion::folgar_tucker, Retardation::rsc},
+      {"srf", RotaryDiffusion::folgar_tucker, Retardation::srf},
+      {"ard", RotaryDiffusion::ard, Retardation::none},
+      {"ard_rsc", RotaryDiffusion::ard, Retardation::rsc},
+      {"iard", RotaryDiffusion::iard, Retardation::none},
+      {"iard_rpr", RotaryDiffusion::iard, Retardation::rpr},
+      {"pard", RotaryDiffusion::pard, Retardation::none},
+      {"pard_rpr", RotaryDiffusion::pard, Retardation::rpr},
+      {"mrd", RotaryDiffusion::mrd, Retardation::none},
+      {"wpt", RotaryDiffusion::wpt, Retardation::none}};
+  return all;
+}
+
+const char* name(RotaryDiffusion diffusion) {
+  return description(rotary_diffusions(), diffusion).name.c_str();
+}
+const char* name(Retardation retardation) {
+  return description(retardations(), retardation).name.c_str();
+}
+
+RotaryDiffusion rotary_diffusion_named(std::string_view name) {
+  return choice_named(rotary_diffusions(), name, "rotary diffusion");
+}
+
+Retardation retardation_named(std::string_view name) {
+  return choice_named(retardations(), name, "retardation");
+}
+
+OrientationModel orientation_model_named(std::string_view name, std::string_view closure) {
+  OrientationModel model;
+  model.closure = closure_named(closure);
+  std::vector<std::string> names;
+  for (const NamedOrientationModel& one : named_orientation_models()) {
+    names.push_back(one.name);
+    if (one.name != name) continue;
+    model.diffusion = one.diffusion;
+    model.retardation = one.retardation;
+    return model;
+  }
+  const std::string_view near = nearest_word(name, names);
+  throw InputError(fmt::format("there is no orientation law '{}'", name),
+                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
+                                : fmt::format("did you mean '{}'?", near));
+}
+
+void set_constant(OrientationModel& model, std::string_view name, double value) {
+  std::vector<std::string> names;
+  for (const OrientationConstant& one : orientation_constants()) {
+    names.push_back(one.parameter.name);
+    if (one.parameter.name != name) continue;
+    model.constants.*one.member = value;
+    return;
+  }
+  const std::string_view near = nearest_word(name, names);
+  throw InputError(fmt::format("no orientation law has a constant '{}'", name),
+                   near.empty() ? fmt::format("the constants are {}", fmt::join(names, ", "))
+                                : fmt::format("did you mean '{}'?", near));
+}
+
+void require_admissible(const OrientationModel& model) {
+  const std::vector<std::string> read = constants_of(model);
+  std::vector<std::string> complaints;
+  for (const OrientationConstant& one : orientation_constants()) {
+    const bool is_read = std::ranges::find(read, one.parameter.name) != read.end();
+    const std::string complaint = complaint_about(one, model.constants.*one.member, is_read);
+    if (!complaint.empty()) complaints.push_back(complaint);
+  }
+  if (complaints.empty()) return;
+  throw InputError(fmt::format("{}", fmt::join(complaints, "; ")),
+                   fmt::format("the law {} with {} reads {}", name(model.diffusion), name(model.retardation),
+                               fmt::join(read, ", ")));
+}
+
+}  // namespace fiberfate

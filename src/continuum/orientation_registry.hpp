@@ -1,0 +1,61 @@
+// Lists the orientation laws: rotary diffusions, retardations, their constants, and the names of common
+// combinations.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "continuum/law_parameter.hpp"
+#include "continuum/orientation_model.hpp"
+
+namespace fiberfate {
+
+/// Describes a constant of the orientation laws and where it is kept.
+struct OrientationConstant {
+  LawParameter parameter;
+  double OrientationConstants::*member;
+};
+
+/// Describes one rotary diffusion or retardation; `constants` are those that it reads.
+template <class Choice>
+struct OrientationChoice {
+  Choice choice;
+  std::string name;
+  std::string meaning;
+  std::string source;
+  std::vector<std::string> constants;
+};
+
+/// Names a combination as the literature does, "iard_rpr".
+struct NamedOrientationModel {
+  std::string name;
+  RotaryDiffusion diffusion;
+  Retardation retardation;
+};
+
+/// Tells every constant. To add a law: one line here, its tensor in orientation_pack.hpp, one test.
+[[nodiscard]] const std::vector<OrientationConstant>& orientation_constants();
+[[nodiscard]] const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions();
+[[nodiscard]] const std::vector<OrientationChoice<Retardation>>& retardations();
+[[nodiscard]] const std::vector<NamedOrientationModel>& named_orientation_models();
+
+[[nodiscard]] const char* name(RotaryDiffusion diffusion);
+[[nodiscard]] const char* name(Retardation retardation);
+
+/// Finds a choice by name; raises InputError with the nearest name.
+[[nodiscard]] RotaryDiffusion rotary_diffusion_named(std::string_view name);
+[[nodiscard]] Retardation retardation_named(std::string_view name);
+/// Makes a model of standard constants from a combination ("iard_rpr") or a diffusion ("iard") and closure
+/// ("ibof").
+[[nodiscard]] OrientationModel orientation_model_named(std::string_view name, std::string_view closure);
+
+/// Sets one constant by name; raises InputError for a name that no law knows.
+void set_constant(OrientationModel& model, std::string_view name, double value);
+
+/// Checks that every constant that the model reads is finite and admissible, and that what it does not read
+/// is left alone; raises InputError that names all faults.
+void require_admissible(const OrientationModel& model);
+
+}  // namespace fiberfate
