@@ -42,7 +42,7 @@ type Rgb = [number, number, number];
 // white and black: a fiber of any colour must show on a light and on a dark page.
 const maps = {
   viridis: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"],
-  tide: ["#f0b440", "#a9bf4e", "#4fae7b", "#2a8f9e", "#2d69a8", "#3f4699"],
+  tide: ["#f0b440", "#a9bf4e", "#4fae7b", "#2a8f9e", "#3277b5", "#4a57b4"],
   ember: ["#b3c0ce", "#cdbb9c", "#e3a85c", "#dd7a36", "#c94a2b", "#a3222a", "#7a1230"],
 };
 export type ColourMap = keyof typeof maps;

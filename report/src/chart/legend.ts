@@ -20,7 +20,7 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
     "button",
     { type: "button", "aria-pressed": "true", title: `Show or hide ${curve.label}` },
     make("span", { class: `mark ${curve.style}`, "aria-hidden": "true" }),
-    make_label(curve.label), " ", value, unit ? ` ${unit}` : "",
+    make("span", {}, make_label(curve.label)), value, unit,
   );
   button.addEventListener("click", () => {
     curve.visible = !curve.visible;

@@ -53,7 +53,9 @@ export function draw_curves(plot: uPlot, curves: Curve[], scales: Scales, palett
   const { ctx, bbox } = plot;
   ctx.save();
   ctx.beginPath();
-  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  // Points on the border are drawn whole.
+  const slack = 4 * uPlot.pxRatio;
+  ctx.rect(bbox.left - slack, bbox.top - slack, bbox.width + 2 * slack, bbox.height + 2 * slack);
   ctx.clip();
   for (const curve of curves) {
     if (!curve.visible) continue;

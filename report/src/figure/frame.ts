@@ -110,7 +110,11 @@ export function make_frame(request: FrameRequest): Frame {
   });
   const clip = `clip-${++clips}`;
   const { left, right, top, bottom } = edges;
-  const box = make_svg("rect", { x: left, y: top, width: right - left, height: bottom - top });
+  // Points on the border are drawn whole.
+  const slack = 4;
+  const box = make_svg("rect", {
+    x: left - slack, y: top - slack, width: right - left + 2 * slack, height: bottom - top + 2 * slack,
+  });
   const plot = make_svg("g", { "clip-path": `url(#${clip})` });
   const frame = {
     svg, plot, ...edges,

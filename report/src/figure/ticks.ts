@@ -6,7 +6,7 @@ export function linear_ticks(min: number, max: number, count: number): number[] 
   if (!(max > min)) return [min];
   const rough = (max - min) / count;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((k) => k * power).find((candidate) => candidate >= rough * 0.999)!;
+  const step = [1, 2, 5, 10].map((k) => k * power).find((candidate) => candidate >= rough * 0.75)!;
   const ticks: number[] = [];
   for (let k = Math.ceil(min / step - 1e-9); k * step <= max + 1e-9 * step; ++k) {
     ticks.push(Number((k * step).toPrecision(12)));

@@ -6,14 +6,14 @@ import { make_colour_bar } from "./colour_bar";
 /** Lays the scene and its colour bar onto one white canvas. */
 export async function compose_picture(scene: HTMLCanvasElement, scale: ColourScale): Promise<HTMLCanvasElement> {
   const picture = document.createElement("canvas");
+  // The scene's canvas has its old size again after the first wait: everything of it is read before.
+  const width_of_scene = scene.width;
   const zoom = scene.height / 520;
-  const margin = 150 * zoom;
-  picture.width = scene.width + margin;
+  picture.width = width_of_scene + 150 * zoom;
   picture.height = scene.height;
   const pen = picture.getContext("2d")!;
   pen.fillStyle = light_palette.surface;
   pen.fillRect(0, 0, picture.width, picture.height);
-  // The scene is copied before the first wait: its canvas is drawn anew afterwards.
   pen.drawImage(scene, 0, 0);
   const bar = make_colour_bar(scale, light_palette);
   const svg = bar.querySelector("svg")!;
@@ -22,9 +22,9 @@ export async function compose_picture(scene: HTMLCanvasElement, scale: ColourSca
   await image.decode();
   const { width, height } = svg.viewBox.baseVal;
   const top = (picture.height - height * zoom) / 2;
-  pen.drawImage(image, scene.width + 10 * zoom, top, width * zoom, height * zoom);
+  pen.drawImage(image, width_of_scene + 10 * zoom, top, width * zoom, height * zoom);
   pen.fillStyle = light_palette.ink;
   pen.font = `${14 * zoom}px ${getComputedStyle(document.body).fontFamily}`;
-  pen.fillText(bar.querySelector("span")!.textContent ?? "", scene.width + 10 * zoom, top + 4 * zoom);
+  pen.fillText(bar.querySelector("span")!.textContent ?? "", width_of_scene + 10 * zoom, top + 4 * zoom);
   return picture;
 }

@@ -42,7 +42,9 @@ export function follow_pointer(stage: HTMLElement, view: View, current: () => Cu
     return rod === undefined ? undefined : placed.fiber[rod];
   };
 
+  let hovered: number | undefined;
   const hover = (fiber: number | undefined): void => {
+    hovered = fiber;
     box.hidden = fiber === undefined;
     if (fiber !== undefined) show_fiber(box, current().measured, fiber);
     view.rods.emphasize(fiber, family);
@@ -57,7 +59,9 @@ export function follow_pointer(stage: HTMLElement, view: View, current: () => Cu
   };
 
   view.canvas.addEventListener("pointermove", (event) => {
-    if (event.buttons === 0) hover(find_fiber(event));
+    const fiber = event.buttons === 0 ? find_fiber(event) : undefined;
+    // Drawing thousands of rods for nothing new is felt where there is no graphics card.
+    if (fiber !== hovered) hover(fiber);
   });
   view.canvas.addEventListener("pointerleave", () => hover(undefined));
   view.canvas.addEventListener("pointerdown", (event) => { pressed_at = { x: event.clientX, y: event.clientY }; });

@@ -58,13 +58,14 @@ void main() {
   colour = vec4(mix(lit, background, fade), 1.0);
 }`;
 
-/** Makes a unit capsule: `sides` around, and caps of `rings` rings that close the joints at hinges. */
+/** Makes a unit capsule: `sides` around, and caps of `rings` rings that close the joints at hinges; none is an open tube. */
 function make_capsule(sides: number, rings: number): { shape: Float32Array; index: number[] } {
   const shape: number[] = [];
   const index: number[] = [];
   const latitudes: [number, number][] = [];
-  for (let ring = rings; ring >= 0; --ring) latitudes.push([(-ring / rings) * (Math.PI / 2), 0]);
-  for (let ring = 0; ring <= rings; ++ring) latitudes.push([(ring / rings) * (Math.PI / 2), 1]);
+  const step = Math.PI / 2 / Math.max(1, rings);
+  for (let ring = rings; ring >= 0; --ring) latitudes.push([-ring * step, 0]);
+  for (let ring = 0; ring <= rings; ++ring) latitudes.push([ring * step, 1]);
   for (const [latitude, end] of latitudes) {
     for (let side = 0; side < sides; ++side) {
       const around = (2 * Math.PI * side) / sides;
@@ -110,7 +111,7 @@ function scaled(values: Float32Array, factor: number): Float32Array {
 
 /** Makes the mesh for at most `capacity` rods; many rods get plainer capsules. */
 export function make_rod_mesh(capacity: number): RodMesh {
-  const capsule = capacity > 12_000 ? make_capsule(6, 1) : capacity > 3_000 ? make_capsule(8, 2) : make_capsule(14, 3);
+  const capsule = capacity > 12_000 ? make_capsule(6, 0) : capacity > 4_000 ? make_capsule(8, 1) : make_capsule(14, 3);
   const geometry = new InstancedBufferGeometry();
   geometry.setAttribute("shape", new BufferAttribute(capsule.shape, 4));
   geometry.setIndex(capsule.index);

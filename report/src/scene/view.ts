@@ -1,7 +1,7 @@
 // The three-dimensional view: renderer, camera, controls; it draws only when something has changed.
 import { LinearSRGBColorSpace, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { current_palette } from "../palette";
+import { current_palette, light_palette, type Palette } from "../palette";
 import { type CellOutline, corner_of, make_cell_outline } from "./cell_outline";
 import type { CellFrame } from "./frame";
 import { has_cell } from "./images";
@@ -18,7 +18,7 @@ export interface View {
   redraw: () => void;
   reset_camera: () => void;
   adapt_to_scheme: () => void;
-  /** Draws at a multiple of the screen's resolution and hands the pixels to `use`. */
+  /** Draws for paper at a multiple of the screen's resolution and hands the pixels to `use`. */
   snapshot: (times: number, use: (canvas: HTMLCanvasElement) => void) => void;
 }
 
@@ -41,10 +41,21 @@ function measure_extent(frame: CellFrame): Extent {
   return { middle, radius };
 }
 
-function make_renderer(): WebGLRenderer {
-  const renderer = new WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
+/** Tells whether the browser draws without a graphics card, as on a remote desktop. */
+function draws_in_software(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+/** Smooth edges cost a processor as much as all the rest: many rods without a graphics card go without them. */
+function make_renderer(capacity: number): WebGLRenderer {
+  const plain = capacity > 4_000 && draws_in_software();
+  const renderer = new WebGLRenderer({ antialias: !plain, alpha: true, preserveDrawingBuffer: true });
   renderer.outputColorSpace = LinearSRGBColorSpace;
-  renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+  renderer.setPixelRatio(plain ? 1 : Math.min(2, window.devicePixelRatio));
   return renderer;
 }
 
@@ -58,7 +69,7 @@ function place_camera(camera: PerspectiveCamera, controls: OrbitControls, extent
 
 /** Makes the view in its host; throws where the browser has no WebGL. */
 export function make_view(host: HTMLElement, first: CellFrame, capacity: number): View {
-  const renderer = make_renderer();
+  const renderer = make_renderer(capacity);
   const metres = measure_extent(first);
   const factor = 1 / metres.radius;
   const extent = { middle: metres.middle.multiplyScalar(factor), radius: 1 };
@@ -73,9 +84,9 @@ export function make_view(host: HTMLElement, first: CellFrame, capacity: number)
   const triad = make_triad();
   host.append(renderer.domElement, triad.element);
 
-  const draw = (): void => {
+  const draw = (palette: Palette = current_palette()): void => {
     const away = camera.position.distanceTo(extent.middle);
-    rods.set_surroundings(current_palette().surface, [away - 0.6, away + 1.3]);
+    rods.set_surroundings(palette.surface, [away - 0.6, away + 1.3]);
     renderer.render(scene, camera);
     triad.turn(camera);
     host.dataset.triangles = String(renderer.info.render.triangles);
@@ -113,7 +124,7 @@ export function make_view(host: HTMLElement, first: CellFrame, capacity: number)
       const before = renderer.getPixelRatio();
       const size = renderer.getSize(new Vector2());
       renderer.setPixelRatio(before * times);
-      draw();
+      draw(light_palette);
       use(renderer.domElement);
       renderer.setPixelRatio(before);
       renderer.setSize(size.x, size.y);

@@ -1,5 +1,6 @@
 // The section "heatmap": a field over two axes.
 import type { HeatmapSection, Value } from "../document";
+import { make } from "../dom";
 import { draw_heatmap } from "../figure/heatmap_figure";
 import { current_palette, light_palette, watch_scheme } from "../palette";
 import { add_print_figure } from "../print";
@@ -24,8 +25,10 @@ function make_columns(section: HeatmapSection): Column[] {
 
 export function render_heatmap(section: HeatmapSection): HTMLElement {
   const { element, controls, figure } = make_section(section);
+  const canvas = make("div", { class: "vector" });
+  figure.append(canvas);
   const paper = (): SVGSVGElement => draw_heatmap(section, light_palette);
-  const draw = (): void => figure.replaceChildren(draw_heatmap(section, current_palette()));
+  const draw = (): void => canvas.replaceChildren(draw_heatmap(section, current_palette()));
   watch_scheme(draw);
   draw();
   add_save_buttons(controls, section.id, paper, () => make_columns(section));

@@ -41,7 +41,7 @@ export async function check_histogram(page, section, expect) {
 }
 
 export async function check_heatmap(page, section, expect) {
-  const cells = await page.locator(`[id="${section.id}"] figure > svg .cell`).evaluateAll((rects) =>
+  const cells = await page.locator(`[id="${section.id}"] .vector .cell`).evaluateAll((rects) =>
     rects.map((rect) => ({ value: Number(rect.dataset.value), colour: rect.getAttribute("fill") })));
   const wanted = section.values.flat().filter(is_number);
   expect.equal(cells.length, wanted.length, `${section.id}: cells`);
