@@ -1,12 +1,9 @@
 // Defines the list of attrition laws.
 #include "continuum/length_registry.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
+#include "continuum/law_values.hpp"
 #include "continuum/stress_induced.hpp"
 #include "continuum/unbreakable_length.hpp"
 
@@ -96,27 +93,12 @@ const AttritionLawEntry& find_attrition_law(std::string_view name) {
     if (entry.name == name) return entry;
     names.push_back(entry.name);
   }
-  const std::string_view near = nearest_word(name, names);
-  throw InputError(fmt::format("there is no attrition law '{}'", name),
-                   near.empty() ? fmt::format("take one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  refuse_law_name("attrition law", name, names);
 }
 
 std::unique_ptr<AttritionLaw> make_attrition_law(std::string_view name, std::span<const double> values) {
   const AttritionLawEntry& entry = find_attrition_law(name);
-  if (values.size() != entry.parameters.size())
-    throw InputError(
-        fmt::format("the law '{}' has {} parameters, not {}", name, entry.parameters.size(), values.size()),
-        "give one value for each");
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const LawParameter& parameter = entry.parameters[i];
-    if (std::isnan(values[i]))
-      throw InputError(fmt::format("the law '{}' needs a value for {}", name, parameter.name), "give one");
-    if (values[i] < parameter.lower || values[i] > parameter.upper)
-      throw InputError(fmt::format("{} = {:g} of the law '{}' is outside of [{:g}, {:g}] {}", parameter.name,
-                                   values[i], name, parameter.lower, parameter.upper, parameter.unit),
-                       "choose a value between");
-  }
+  check_law_values(entry.name, entry.parameters, values);
   return entry.make(values);
 }
 
