@@ -13,6 +13,9 @@ namespace fiberfate {
 /// Says whether files that a case names must exist: yes for a new run, no for one that is resumed.
 enum class NamedFiles { must_exist, may_be_gone };
 
+/// Starts a problem at a key; where the key is not given, at the heading of its table, or at the file.
+[[nodiscard]] InputProblem problem_at_key(const TomlDocument& document, const std::string& key);
+
 /// Serves a study's validate(): it reports problems by key and looks up places by itself.
 class CaseChecker {
  public:
@@ -24,6 +27,9 @@ class CaseChecker {
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Reports something odd that does not stop the run.
   void warn(const std::string& key, const std::string& complaint, const std::string& remedy);
+  /// Warns of each of these keys that is given, although with the other choices nothing reads it; `reader`
+  /// says what would. A resolved case, which gives every key, is let off.
+  void warn_unused(const std::vector<std::string>& keys, const std::string& reader);
   /// Tells whether the case gives the key itself.
   [[nodiscard]] bool is_given(const std::string& key) const { return document_.find(key) != nullptr; }
   /// Tells whether nothing is wrong so far, so that all values may be relied on.

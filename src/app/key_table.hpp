@@ -14,7 +14,11 @@
 namespace fiberfate {
 
 /// Says whether a case may leave a key out.
-enum class Need { optional, required };
+enum class Need {
+  optional,
+  usual,     ///< only some cases leave it out, so a template gives the example
+  required,  ///< every case gives it; the example helps
+};
 
 /// Tells everything about a key that is not its value.
 struct KeyNotes {

@@ -61,6 +61,12 @@ using Reading = std::variant<T, Complaint>;
 [[nodiscard]] Reading<double> read_quantity(const TomlValue& value, const Units& units, const Range& range);
 /// Writes a quantity as TOML: `"19 um"` or `1.9e-05`.
 [[nodiscard]] std::string write_quantity(double value, const Units& units, NumberStyle style);
+/// Writes a number such that reading it gives the same bits.
+[[nodiscard]] std::string write_number(double value);
+/// Writes a text in quotes.
+[[nodiscard]] std::string write_text(const std::string& text);
+/// Writes a list of values that are TOML already.
+[[nodiscard]] std::string write_list(const std::vector<std::string>& items);
 /// Describes a range for people: "more than 0 um", "0 to 1", "any number".
 [[nodiscard]] std::string describe_range(const Range& range, const Units& units);
 

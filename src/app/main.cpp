@@ -1,9 +1,6 @@
 // Starts the program.
-#include <cstdio>
+#include "app/command_line.hpp"
 
-#include "base/version.hpp"
-
-int main() {
-  std::printf("fiberfate %s\n", fiberfate::version);
-  return 0;
+int main(int argument_count, char** arguments) {
+  return fiberfate::run_command_line(argument_count, arguments);
 }

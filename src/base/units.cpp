@@ -41,6 +41,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
+/// Takes off the rounding of a conversion: the nearest number of 15 digits where it is at most 4 ulp away, so
+/// that "19 um" and 19e-6 are the same bits.
+double without_conversion_error(double value) {
+  const std::string digits = fmt::format("{:.14e}", value);
+  double decimal = value;
+  std::from_chars(digits.data(), digits.data() + digits.size(), decimal);
+  const double ulp = std::nextafter(std::abs(value), INFINITY) - std::abs(value);
+  return std::abs(decimal - value) <= 4 * ulp ? decimal : value;
+}
+
 }  // namespace
 
 double unit_factor(const std::string& unit, const std::string& si_unit) {
@@ -77,7 +87,8 @@ double quantity_in_si(std::string_view quantity, const std::string& si_unit) {
                                                               cv_free);
   if (!converter)
     throw std::invalid_argument(fmt::format("'{}' does not have the dimension of '{}'", unit, si_unit));
-  return cv_convert_double(converter.get(), number);
+  const double converted = cv_convert_double(converter.get(), number);
+  return std::isfinite(converted) ? without_conversion_error(converted) : converted;
 }
 
 }  // namespace fiberfate

@@ -22,7 +22,7 @@ struct FiberChoices {
   double diameter = 0;               ///< m
   double youngs_modulus = 0;         ///< Pa
   std::optional<double> density;     ///< kg/m³
-  double rod_length = 0;             ///< target; a fiber is cut in equal rods nearest to it, m
+  std::optional<double> rod_length;  ///< target; a fiber is cut in equal rods nearest to it, m
   std::optional<std::int64_t> count;
   std::optional<double> volume_fraction;
   std::optional<double> weight_fraction;

@@ -1,0 +1,15 @@
+# fiberfate_embed_gallery(TARGET) compiles the files of cases/ into TARGET (src/app/gallery.hpp).
+set(FIBERFATE_EMBED_GALLERY_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/WriteGallery.cmake")
+
+function(fiberfate_embed_gallery target)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cases/*.toml" "${PROJECT_SOURCE_DIR}/cases/*.md"
+       "${PROJECT_SOURCE_DIR}/cases/*.txt")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/gallery_files.cpp")
+  add_custom_command(
+    OUTPUT "${source}"
+    COMMAND "${CMAKE_COMMAND}" -D "CASES=${PROJECT_SOURCE_DIR}/cases" -D "OUTPUT=${source}"
+            -P "${FIBERFATE_EMBED_GALLERY_SCRIPT}"
+    DEPENDS ${files} "${FIBERFATE_EMBED_GALLERY_SCRIPT}"
+    COMMENT "Embedding the gallery of cases" VERBATIM)
+  target_sources(${target} PRIVATE "${source}")
+endfunction()

@@ -1,0 +1,198 @@
+// Reads case files.
+#include "app/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "app/case_checker.hpp"
+#include "base/error.hpp"
+#include "base/version.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Keys that stand outside every table and belong to every study.
+const std::vector<std::string> common_keys = {"study", "version"};
+
+using Problems = std::vector<InputProblem>;
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += fmt::format("{}\"{}\"", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
+  return text;
+}
+
+const Study& study_of(const TomlDocument& document) {
+  const TomlEntry* entry = document.find("study");
+  if (entry == nullptr) {
+    InputProblem problem;
+    problem.file = document.name();
+    problem.key = "study";
+    problem.complaint = "not given, so nothing else can be checked";
+    problem.remedy = fmt::format("add study = {} above the first [table]", listed(study_names()));
+    throw InputError({problem});
+  }
+  const auto* text = std::get_if<std::string>(&entry->value.data);
+  const Study* study = text == nullptr ? nullptr : find_study(*text);
+  if (study != nullptr) return *study;
+  InputProblem problem = problem_at(*entry);
+  problem.complaint = "there is no such study, so nothing else can be checked";
+  const std::string_view nearest = text == nullptr ? std::string_view() : nearest_word(*text, study_names());
+  problem.remedy =
+      nearest.empty() ? "give " + listed(study_names()) : fmt::format("did you mean \"{}\"?", nearest);
+  throw InputError({problem});
+}
+
+void read_keys(const TomlDocument& document, const KeyTable& table, Problems& problems) {
+  for (const Key& key : table.keys()) {
+    const TomlEntry* entry = document.find(key.name);
+    if (entry == nullptr) {
+      if (key.notes.need != Need::required) continue;
+      InputProblem problem = problem_at_key(document, key.name);
+      problem.complaint = "not given";
+      problem.remedy = fmt::format("add {} = {} under [{}]", key.leaf(), key.notes.example, key.section());
+      problems.push_back(std::move(problem));
+      continue;
+    }
+    for (const Complaint& complaint : key.read(entry->value)) {
+      InputProblem problem = problem_at(*entry);
+      if (complaint.at != nullptr) {
+        problem.line = complaint.at->place.line;
+        problem.column = complaint.at->place.column;
+        problem.value = complaint.at->written;
+      }
+      problem.complaint = complaint.what;
+      problem.remedy = complaint.remedy;
+      problems.push_back(std::move(problem));
+    }
+  }
+}
+
+bool is_section(const KeyTable& table, const std::string& name) {
+  return std::any_of(table.sections().begin(), table.sections().end(), [&name](const Section& section) {
+    return section.name == name || section.name.starts_with(name + '.');
+  });
+}
+
+/// Tells what a key that does not exist most likely means.
+std::string meant_key(const std::string& key, const Study& study, const KeyTable& table) {
+  std::vector<std::string> names = common_keys;
+  for (const Key& one : table.keys()) names.push_back(one.name);
+  const std::string leaf = key.substr(key.rfind('.') + 1);
+  for (const Key& one : table.keys())
+    if (one.leaf() == leaf) return fmt::format("did you mean {}?", one.name);
+  if (const std::string_view nearest = nearest_word(key, names); !nearest.empty())
+    return fmt::format("did you mean {}?", nearest);
+  for (const Key& one : table.keys())
+    if (!nearest_word(leaf, {one.leaf()}).empty()) return fmt::format("did you mean {}?", one.name);
+  return fmt::format("'fiberfate explain {}' lists the keys", study.name);
+}
+
+InputProblem unknown_key(const TomlEntry& entry, const Study& study, const KeyTable& table) {
+  InputProblem problem = problem_at(entry);
+  problem.line = entry.place.line;
+  problem.column = entry.place.column;
+  if (is_section(table, entry.key)) {
+    problem.complaint = "this is a table, not a key";
+    problem.remedy = fmt::format("write [{}] and its keys below", entry.key);
+  } else {
+    problem.complaint = fmt::format("unknown key in study {}", study.name);
+    problem.remedy = meant_key(entry.key, study, table);
+  }
+  return problem;
+}
+
+InputProblem unknown_table(const TomlTable& unknown, const Study& study, const KeyTable& table) {
+  InputProblem problem{
+      unknown.place.file, unknown.place.line, unknown.place.column, '[' + unknown.name + ']', "", "", ""};
+  if (const Key* key = table.find(unknown.name)) {
+    problem.complaint = "this is a key, not a table";
+    problem.remedy = fmt::format("write {} = value under [{}]", key->leaf(), key->section());
+    return problem;
+  }
+  std::vector<std::string> names;
+  for (const Section& section : table.sections()) names.push_back(section.name);
+  const std::string_view nearest = nearest_word(unknown.name, names);
+  problem.complaint = fmt::format("unknown table in study {}", study.name);
+  problem.remedy = nearest.empty() ? fmt::format("the tables are {}", fmt::join(names, ", "))
+                                   : fmt::format("did you mean [{}]?", nearest);
+  return problem;
+}
+
+/// Reports tables and keys that no study member reads; the keys of an unknown table are not reported again.
+void find_unknown(const TomlDocument& document, const Study& study, const KeyTable& table,
+                  Problems& problems) {
+  std::vector<std::string> unknown_tables;
+  const auto lies_in_unknown = [&unknown_tables](const std::string& name) {
+    return std::any_of(unknown_tables.begin(), unknown_tables.end(),
+                       [&name](const std::string& one) { return name.starts_with(one + '.'); });
+  };
+  for (const TomlTable& one : document.tables()) {
+    if (is_section(table, one.name) || lies_in_unknown(one.name)) continue;
+    problems.push_back(unknown_table(one, study, table));
+    unknown_tables.push_back(one.name);
+  }
+  for (const TomlEntry& entry : document.entries()) {
+    const bool common = std::find(common_keys.begin(), common_keys.end(), entry.key) != common_keys.end();
+    if (common || table.find(entry.key) != nullptr || lies_in_unknown(entry.key)) continue;
+    problems.push_back(unknown_key(entry, study, table));
+  }
+}
+
+LoadedCase read_case(const TomlDocument& document, const std::string& folder, NamedFiles named_files) {
+  LoadedCase loaded;
+  const Study& study = study_of(document);
+  loaded.study = &study;
+  loaded.path = document.name();
+  loaded.values = study.make();
+  KeyTable table(folder);
+  study.describe(table, loaded.values);
+  Problems problems;
+  read_keys(document, table, problems);
+  find_unknown(document, study, table, problems);
+  CaseChecker checker(document, std::move(problems), named_files);
+  study.validate(loaded.values, checker);
+  if (!checker.is_sound()) {
+    Problems all = checker.errors();
+    std::stable_sort(all.begin(), all.end(), [](const InputProblem& a, const InputProblem& b) {
+      return a.line != b.line ? a.line < b.line : a.column < b.column;
+    });
+    throw InputError(std::move(all));
+  }
+  for (const InputProblem& warning : checker.warnings()) loaded.warnings.push_back(warning.message());
+  return loaded;
+}
+
+std::string folder_of(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+void apply(const std::vector<std::string>& overrides, TomlDocument& document) {
+  for (const std::string& assignment : overrides) document.override_with(assignment);
+}
+
+}  // namespace
+
+LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
+  TomlDocument document = TomlDocument::read(path);
+  apply(overrides, document);
+  return read_case(document, folder_of(path), NamedFiles::must_exist);
+}
+
+LoadedCase load_resolved_case(const std::string& path) {
+  return read_case(TomlDocument::read(path), folder_of(path), NamedFiles::may_be_gone);
+}
+
+LoadedCase parse_case(const std::string& text, const std::string& name,
+                      const std::vector<std::string>& overrides) {
+  TomlDocument document = TomlDocument::parse(text, name);
+  apply(overrides, document);
+  return read_case(document, ".", NamedFiles::must_exist);
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,44 @@
+// Prints a case as it would run.
+#include "app/command_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/case_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+std::string memory_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("about {:.0f} MB", bytes / 1e6)
+                     : fmt::format("about {:.1f} GB", bytes / 1e9);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 1) return "less than a second";
+  if (seconds < 120) return fmt::format("about {:.0f} s", seconds);
+  if (seconds < 7200) return fmt::format("about {:.0f} min", seconds / 60);
+  if (seconds < 172800) return fmt::format("about {:.0f} h", seconds / 3600);
+  return fmt::format("about {:.0f} days", seconds / 86400);
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+  const LoadedCase loaded = load_case(options.case_file, options.overrides);
+  CaseEstimate estimate = loaded.study->estimate(loaded.values);
+  estimate.facts.emplace_back("memory", memory_text(estimate.memory_bytes));
+  estimate.facts.emplace_back(
+      "wall time", fmt::format("{} ({})", duration_text(estimate.wall_seconds), estimate.assumption));
+  std::size_t width = 0;
+  for (const auto& [name, value] : estimate.facts) width = std::max(width, name.size());
+
+  for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  fmt::print("{}\n# What follows from it:\n", resolved_case(*loaded.study, loaded.values));
+  for (const auto& [name, value] : estimate.facts) fmt::print("#   {:<{}}  {}\n", name, width, value);
+  return 0;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,56 @@
+// Documents every key of every study in Markdown (docs/guide/case_keys.md).
+#include <fmt/format.h>
+
+#include "app/command_explain.hpp"
+#include "app/key_facts.hpp"
+#include "app/study.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Keeps a text inside a cell of a table.
+std::string cell(std::string text) {
+  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
+    text.insert(at, "\\");
+  return text;
+}
+
+std::string code(const std::string& text) {
+  return text.empty() ? text : fmt::format("`{}`", text);
+}
+
+std::string key_row(const Key& key) {
+  const KeyFacts facts = key_facts(key);
+  std::string text = key.notes.text;
+  for (const auto& [name, meaning] : key.choices) text += fmt::format("<br>`\"{}\"`: {}", name, meaning);
+  if (!facts.source.empty()) text += fmt::format("<br>Source: {}", facts.source);
+  const bool none = facts.standard.starts_with("none");
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", key.leaf(), facts.unit,
+                     none ? facts.standard : code(facts.standard), facts.range, cell(text));
+}
+
+}  // namespace
+
+std::string key_reference() {
+  std::string text =
+      "# Keys of case files\n\n"
+      "Written by `fiberfate explain --markdown` from the table that also reads case files; do not edit.\n"
+      "Quantities carry their unit in quotes, `\"19 um\"`; a bare number is in the SI unit named first.\n"
+      "Every case begins with `study = \"NAME\"`.\n";
+  for (const Study& study : studies()) {
+    CaseValues values = study.make();
+    KeyTable table;
+    study.describe(table, values);
+    text += fmt::format("\n## {}\n\n`study = \"{}\"`: {}.\n", study.name, study.name, study.summary);
+    for (const Section& section : table.sections()) {
+      text += fmt::format(
+          "\n### [{}]\n\n{}\n\n| key | unit | default | range | meaning |\n|---|---|---|---|---|\n",
+          section.name, section.text);
+      for (const Key& key : table.keys())
+        if (key.section() == section.name) text += key_row(key);
+    }
+  }
+  return text;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,44 @@
+// Makes the fibers with which a study starts.
+#include "app/studies/sample_start.hpp"
+
+#include <fmt/format.h>
+
+#include "app/fiber_file.hpp"
+#include "app/signals.hpp"
+
+namespace fiberfate {
+namespace {
+
+StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, Progress& progress) {
+  Population population = plan_population({species(sample)}, concentration(sample), start.seed);
+  PackingRequest request = packing_request(sample, start.contact, start.seed);
+  request.materials = std::move(population.materials);
+  request.fibers = std::move(population.fibers);
+  request.cell = rectangular_cell(population.cell_size);
+  request.cell.boundary[1] = start.boundary_y;
+  PackingResult result = pack(request, [&progress](const PackingProgress& now) {
+    if (stop_requested()) throw PackingStopped();
+    progress.show([&now] {
+      return fmt::format(
+          "packing, {}: step {}, largest overlap {:.3g} diameters, smallest radius {:.4g} um, "
+          "orientation off by {:.2g}",
+          now.stage, now.step, now.largest_overlap, 1e6 * now.minimum_radius, now.orientation_error);
+    });
+  });
+  progress.end_line();
+  return {std::move(result.state), std::move(result.report)};
+}
+
+}  // namespace
+
+StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, Progress& progress) {
+  if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, progress);
+  StartingFibers fibers;
+  fibers.state = sample.cluster.source == ClusterSource::fiber
+                     ? single_fiber(sample)
+                     : read_fiber_file(sample.cluster.file, species(sample).material, sample.cell_size);
+  fibers.state.cell.boundary[1] = request.boundary_y;
+  return fibers;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,75 @@
+// Registers the studies: one line each.
+#include "app/study.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "app/report_document.hpp"
+#include "app/studies/cluster_case.hpp"
+#include "app/studies/cluster_run.hpp"
+#include "app/studies/shear_cell_case.hpp"
+#include "app/studies/shear_cell_run.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Wraps the functions of one study so that they take any case.
+template <class Case>
+Study erase_type(const StudyFunctions<Case>& typed) {
+  const auto of = [](const CaseValues& values) -> const Case& { return *std::any_cast<Case>(&values); };
+  Study study;
+  study.name = typed.name;
+  study.summary = typed.summary;
+  study.make = [] { return CaseValues(Case{}); };
+  study.describe = [typed](KeyTable& table, CaseValues& values) {
+    typed.describe(table, *std::any_cast<Case>(&values));
+  };
+  study.validate = [typed, of](const CaseValues& values, CaseChecker& checker) {
+    typed.validate(of(values), checker);
+  };
+  study.estimate = [typed, of](const CaseValues& values) { return typed.estimate(of(values)); };
+  study.run = [typed, of](const CaseValues& values, const RunOptions& options, ResultFolder& folder) {
+    return typed.run(of(values), options, folder);
+  };
+  study.resume = [typed, of](const CaseValues& values, const RunOptions& options, ResultFolder& folder) {
+    return typed.resume(of(values), options, folder);
+  };
+  study.report = [typed, of](const CaseValues& values, const ResultFolder& folder) {
+    return typed.report(of(values), folder);
+  };
+  return study;
+}
+
+}  // namespace
+
+const std::vector<Study>& studies() {
+  static const std::vector<Study> all = {
+      erase_type(StudyFunctions<ShearCellCase>{
+          "shear_cell", "shear a cell full of fibers: they orient, touch, bend and break",
+          describe_shear_cell, validate_shear_cell, estimate_shear_cell, run_shear_cell, resume_shear_cell,
+          report_shear_cell}),
+      erase_type(StudyFunctions<ClusterCase>{
+          "cluster", "pack fibers with a wanted orientation, length and concentration", describe_cluster,
+          validate_cluster, estimate_cluster, run_cluster, resume_cluster, report_cluster}),
+  };
+  return all;
+}
+
+const Study* find_study(const std::string& name) {
+  const auto found = std::find_if(studies().begin(), studies().end(),
+                                  [&name](const Study& study) { return study.name == name; });
+  return found == studies().end() ? nullptr : &*found;
+}
+
+std::vector<std::string> study_names() {
+  std::vector<std::string> names;
+  for (const Study& study : studies()) names.push_back(study.name);
+  return names;
+}
+
+const char* name(StopReason reason) {
+  static constexpr std::array names = {"done", "time_reached", "steps_reached", "signal"};
+  return names[static_cast<std::size_t>(reason)];
+}
+
+}  // namespace fiberfate
