@@ -91,7 +91,7 @@ FIBERFATE_INLINE void rotate_pair(Pack& pp, Pack& qq, Pack& pq, Pack& rp, Pack& 
 FIBERFATE_INLINE void diagonalise(Symmetric& x, Pack (&axis)[3][3], const EqualPairs& wanted) {
   const Pack scale = magnitude(x.c11) + magnitude(x.c22) + magnitude(x.c33) + magnitude(x.c23) +
                      magnitude(x.c31) + magnitude(x.c12);
-  const Pack small = 1e-20 * scale;
+  const Pack small = 1e-17 * scale;  // turns axes by no more than round-off does
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     rotate_pair(x.c11, x.c22, x.c12, x.c31, x.c23, axis[0], axis[1], wanted.p12);
     rotate_pair(x.c22, x.c33, x.c23, x.c12, x.c31, axis[1], axis[2], wanted.p23);
