@@ -21,6 +21,7 @@ if(EXISTS "${stamp}")
   file(READ "${stamp}" installed)
 endif()
 if(NOT installed STREQUAL wanted)
+  # rollup is its WebAssembly build (report/package.json): no package here is tied to a processor but esbuild.
   # No package here needs its install script; --include=dev holds even where NODE_ENV says production.
   run("npm ci of the report's packages" "${npm}" ci --ignore-scripts --include=dev --prefer-offline --no-audit --no-fund)
   file(WRITE "${stamp}" "${wanted}")
