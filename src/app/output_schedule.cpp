@@ -22,6 +22,13 @@ double OutputSchedule::next(double time) const {
   return due;
 }
 
+bool OutputSchedule::includes(double time) const {
+  const double slack = oneness * interval;
+  if (std::abs(std::round(time / interval) * interval - time) <= slack) return true;
+  return std::any_of(others.begin(), others.end(),
+                     [&](double other) { return std::abs(other - time) <= slack; });
+}
+
 double OutputSchedule::snapped(double time) const {
   const double multiple = std::round(time / interval) * interval;
   return std::abs(multiple - time) <= oneness * interval ? multiple : time;

@@ -13,6 +13,8 @@ struct OutputSchedule {
 
   /// Tells the first time of output after `time`; times nearer than a millionth of the interval are one.
   [[nodiscard]] double next(double time) const;
+  /// Tells whether output is due at this time.
+  [[nodiscard]] bool includes(double time) const;
   /// Tells the multiple of the interval that `time` means up to round-off, or `time` itself.
   [[nodiscard]] double snapped(double time) const;
 };

@@ -20,7 +20,7 @@ constexpr std::array result_files = {
     "result.vtkhdf.next",     "result.vtkhdf.kept", "checkpoint.h5",  "checkpoint.h5.new",
 
     "checkpoint.previous.h5", "failure.h5",         "failure.h5.new", "log.txt",           "report.html",
-    "packing.json",
+
 };
 
 std::string without_slash(std::string path) {

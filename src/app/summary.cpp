@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "base/version.hpp"
+#include "fibers/observables.hpp"
 #include "io/atomic_file.hpp"
 
 namespace fiberfate {
@@ -39,6 +41,20 @@ Json timings_of(const PhaseTimes& times) {
 }
 
 }  // namespace
+
+void describe_fibers(RunSummary& summary, const FiberState& state) {
+  const MeanLengths lengths = mean_lengths(state);
+  summary.threads = thread_count();
+  summary.simulated_s = state.time;
+  summary.steps = state.step;
+  summary.rods = state.rod_count();
+  summary.fibers = state.fiber_count();
+  summary.number_average = lengths.number_average;
+  summary.weight_average = lengths.weight_average;
+  summary.orientation = orientation_tensor(state, Weighting::length);
+  summary.breaks = state.breaks;
+  summary.volume_fraction = volume_fraction(state);
+}
 
 void write_summary(const std::string& path, const RunSummary& summary) {
   Json json;

@@ -11,6 +11,7 @@
 #include "app/study.hpp"
 #include "base/timer.hpp"
 #include "base/vector.hpp"
+#include "fibers/state.hpp"
 
 namespace fiberfate {
 
@@ -39,6 +40,10 @@ struct RunSummary {
   PhaseTimes timings;
   std::vector<std::pair<std::string, SummaryValue>> own;  ///< keys of the study's own
 };
+
+/// Fills in what follows from the fibers: time, steps, counts, lengths, orientation, breaks, volume fraction;
+/// and the number of threads.
+void describe_fibers(RunSummary& summary, const FiberState& state);
 
 /// Writes the file in one step; raises StorageError.
 void write_summary(const std::string& path, const RunSummary& summary);

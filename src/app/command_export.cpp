@@ -1,0 +1,90 @@
+// Writes a result in other formats.
+#include "app/command_export.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "app/fiber_frame.hpp"
+#include "app/result_folder.hpp"
+#include "base/error.hpp"
+#include "io/csv_table.hpp"
+#include "io/vtkhdf_file.hpp"
+#include "io/vtp_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+const std::vector<std::string> formats = {"vtp", "csv"};
+
+/// Lists every node of a frame, one row each; a table that cluster.file reads again.
+CsvTable node_table(const PolylineFrame& frame) {
+  CsvTable table;
+  table.columns = {"fiber", "birth_id", "birth_node", "radius_m", "x_m", "y_m", "z_m", "curvature_per_m"};
+  table.values.resize(table.columns.size());
+  const std::vector<double> birth = numbers_of(frame.line_data, "birth_id");
+  const std::vector<double> first = numbers_of(frame.line_data, "birth_node");
+  const std::vector<double> radius = numbers_of(frame.line_data, "radius");
+  const std::vector<double> curvature = numbers_of(frame.point_data, "curvature");
+  for (std::size_t fiber = 0; fiber + 1 < frame.offsets.size(); ++fiber) {
+    for (auto node = frame.offsets[fiber]; node < frame.offsets[fiber + 1]; ++node) {
+      const auto k = static_cast<std::size_t>(node);
+      const double along = first[fiber] + static_cast<double>(node - frame.offsets[fiber]);
+      const std::array<double, 8> row = {static_cast<double>(fiber),
+                                         birth[fiber],
+                                         along,
+                                         radius[fiber],
+                                         frame.points[3 * k],
+                                         frame.points[3 * k + 1],
+                                         frame.points[3 * k + 2],
+                                         curvature[k]};
+      for (std::size_t i = 0; i < row.size(); ++i) table.values[i].push_back(row[i]);
+    }
+  }
+  return table;
+}
+
+void export_vtp(const VtkhdfReader& reader, const std::string& out) {
+  std::vector<SeriesMember> members;
+  for (std::size_t i = 0; i < reader.times().size(); ++i) {
+    members.push_back({reader.times()[i], fmt::format("fibers_{:05}.vtp", i)});
+    write_vtp(out + '/' + members.back().file, reader.read(i));
+  }
+  write_pvd(out + "/fibers.pvd", members);
+}
+
+/// Writes fibers_NNNNN.csv for every frame and frames.csv with their times and lattices.
+void export_csv(const VtkhdfReader& reader, const std::string& out) {
+  CsvTable frames;
+  frames.columns = {"frame", "time_s", "h11_m", "h12_m", "h13_m", "h21_m",
+                    "h22_m", "h23_m",  "h31_m", "h32_m", "h33_m"};
+  frames.values.resize(frames.columns.size());
+  for (std::size_t i = 0; i < reader.times().size(); ++i) {
+    const PolylineFrame frame = reader.read(i);
+    write_csv(fmt::format("{}/fibers_{:05}.csv", out, i), node_table(frame));
+    const std::vector<double> lattice = numbers_of(frame.frame_data, "lattice");
+    frames.values[0].push_back(static_cast<double>(i));
+    frames.values[1].push_back(frame.time);
+    for (std::size_t k = 0; k < 9; ++k) frames.values[k + 2].push_back(lattice.at(k));
+  }
+  write_csv(out + "/frames.csv", frames);
+}
+
+}  // namespace
+
+int run_export(const ExportOptions& options) {
+  if (options.format != "vtp" && options.format != "csv") {
+    const std::string_view meant = nearest_word(options.format, formats);
+    throw InputError(fmt::format("unknown export format '{}'", options.format),
+                     meant.empty() ? "the formats are vtp and csv" : fmt::format("did you mean {}?", meant));
+  }
+  const ResultFolder folder = ResultFolder::open(options.folder);
+  const VtkhdfReader reader(folder.frames());
+  const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;
+  std::filesystem::create_directories(out);
+  options.format == "vtp" ? export_vtp(reader, out) : export_csv(reader, out);
+  fmt::print("{} frames in {}\n", reader.times().size(), out);
+  return 0;
+}
+
+}  // namespace fiberfate

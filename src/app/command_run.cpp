@@ -1,0 +1,46 @@
+// Runs a case into a result folder.
+#include "app/command_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "app/case_file.hpp"
+#include "app/result_folder.hpp"
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr int stopped_by_signal = 4;
+
+/// Names the folder after the case: "shear.toml" gives "shear_result"; a "case.toml" is named after its
+/// folder.
+std::string default_folder(const std::string& case_file) {
+  const std::filesystem::path path = std::filesystem::absolute(case_file);
+  const std::string stem =
+      path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
+  return stem + "_result";
+}
+
+}  // namespace
+
+int run_run(const RunOptions& options) {
+  const LoadedCase loaded = load_case(options.case_file, options.overrides);
+  for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
+  ResultFolder folder = ResultFolder::create(path, options.existing);
+  try {
+    replace_file(folder.resolved_case(), resolved_case(*loaded.study, loaded.values));
+    const StopReason reason = loaded.study->run(loaded.values, options, folder);
+    fmt::print("{}: result in {}\n", name(reason), folder.path());
+    return reason == StopReason::signal ? stopped_by_signal : 0;
+  } catch (const InputError&) {
+    folder.remove();  // bad input leaves no half-written result
+    throw;
+  }
+}
+
+}  // namespace fiberfate

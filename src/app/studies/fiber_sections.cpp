@@ -1,0 +1,193 @@
+// Builds the sections of reports that the studies of fibers share.
+#include "app/studies/fiber_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/fiber_frame.hpp"
+#include "fibers/observables.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr double most_bins = 400;
+constexpr std::int64_t most_nodes = 600000;  // of all frames of a page together: some 10 MB of HTML
+constexpr double curvature_bins = 50;
+
+std::size_t nearest_frame(const std::vector<double>& times, double time) {
+  const auto nearer = [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
+  return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+}
+
+/// Reads the frames nearest to the times, each once.
+std::vector<FiberState> states_at(const VtkhdfReader& frames, const std::vector<double>& times) {
+  std::vector<std::size_t> numbers;
+  for (const double time : times) numbers.push_back(nearest_frame(frames.times(), time));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<FiberState> states;
+  for (const std::size_t number : numbers) states.push_back(fibers_of(frames.read(number)));
+  return states;
+}
+
+std::string label_of(const FiberState& state) {
+  return fmt::format("{:.4g} s", state.time);
+}
+
+std::vector<double> lengths_of(const FiberState& state) {
+  std::vector<double> lengths;
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) lengths.push_back(fiber_length(state, fiber));
+  return lengths;
+}
+
+std::vector<double> curvatures_of(const FiberState& state) {
+  std::vector<double> curvatures = hinge_radii(state);
+  for (double& value : curvatures) value = 1 / value;
+  return curvatures;
+}
+
+FiberFrame frame_to_show(const PolylineFrame& polylines) {
+  FiberFrame frame;
+  frame.time_s = polylines.time;
+  const std::vector<double> lattice = numbers_of(polylines.frame_data, "lattice");
+  for (std::size_t i = 0; i < 9; ++i)
+    frame.lattice(static_cast<int>(i / 3), static_cast<int>(i % 3)) = lattice.at(i);
+  frame.points.assign(polylines.points.begin(), polylines.points.end());
+  frame.offsets.assign(polylines.offsets.begin(), polylines.offsets.end());
+  for (const double id : numbers_of(polylines.line_data, "birth_id"))
+    frame.birth.push_back(static_cast<std::int32_t>(id));
+  for (const double radius : numbers_of(polylines.line_data, "radius"))
+    frame.radius.push_back(static_cast<float>(radius));
+  return frame;
+}
+
+void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
+  if (fibers.count) facts.push_back({"Fibers", *fibers.count});
+  if (fibers.volume_fraction) facts.push_back({"Volume fraction", 100 * *fibers.volume_fraction, "%"});
+  if (fibers.weight_fraction) facts.push_back({"Weight fraction", 100 * *fibers.weight_fraction, "%"});
+}
+
+}  // namespace
+
+std::vector<Fact> sample_facts(const SampleCase& sample) {
+  const FiberChoices& fibers = sample.fibers;
+  std::vector<Fact> facts;
+  append_amount(facts, fibers);
+  if (fibers.length) facts.push_back({"Fiber length", *fibers.length, "m"});
+  facts.push_back({"Fiber diameter", fibers.diameter, "m"});
+  facts.push_back({"Young's modulus", fibers.youngs_modulus, "Pa"});
+  if (fibers.rod_length) facts.push_back({"Rod length", *fibers.rod_length, "m"});
+  if (sample.cell_size)
+    facts.push_back({"Cell", fmt::format("{:.4g} × {:.4g} × {:.4g} mm", 1e3 * sample.cell_size->x(),
+                                         1e3 * sample.cell_size->y(), 1e3 * sample.cell_size->z())});
+  if (sample.cluster.source == ClusterSource::file)
+    facts.push_back({"Fibers read from", sample.cluster.file});
+  if (sample.cluster.source == ClusterSource::generate)
+    facts.push_back({"Orientation wanted", sample.cluster.orientation, "", "A_2 by length"});
+  return facts;
+}
+
+std::vector<Fact> outcome_facts(const SummaryFile& summary) {
+  return {{"Fibers", summary.count("fibers")},
+          {"Rods", summary.count("rods")},
+          {"L_N", summary.number("L_N_m"), "m"},
+          {"L_W", summary.number("L_W_m"), "m"},
+          {"Volume fraction", 100 * summary.number("volume_fraction"), "%"},
+          {"Smallest radius of curvature", summary.number("min_radius_m"), "m"},
+          {"Contacts a fiber", summary.number("contacts_per_fiber")},
+          {"Largest overlap", summary.number("max_overlap_radii"), "radii"},
+          {"Orientation A_2", summary.tensor("A2"), "", "by length"}};
+}
+
+FactsSection effort_section(const SummaryFile& summary) {
+  FactsSection section{"effort", "Effort", {}};
+  section.rows = {
+      {"Wall time", summary.number("wall_s"), "s"},
+      {"Processor time", summary.number("cpu_s"), "s"},
+      {"Threads", summary.count("threads")},
+      {"Steps", summary.count("steps")},
+      {"Rod-steps a second", summary.number("segment_steps_per_s"), "", "of stepping, without output"},
+      {"Largest memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
+  const std::vector<double> seconds = summary.timings();
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    section.rows.push_back({std::string("Phase ") + phase_names[phase], seconds[phase], "s"});
+  return section;
+}
+
+LinesSection lines_over_time(const std::string& id, const std::string& title, const ReportAxis& y,
+                             const CsvTable& series, const std::vector<Curve>& curves) {
+  LinesSection section{id, title, {"time", "s"}, y, series.column("time_s"), {}};
+  for (const Curve& curve : curves)
+    section.series.push_back({curve.label, series.column(curve.column), curve.style});
+  return section;
+}
+
+std::vector<double> bin_edges(double highest, double width) {
+  if (!(highest > 0)) highest = width;
+  const double bins = std::clamp(std::ceil(highest / width * (1 - 1e-9)), 1.0, most_bins);
+  const double step = bins == most_bins ? highest / bins : width;
+  std::vector<double> edges;
+  for (int i = 0; i <= static_cast<int>(bins); ++i) edges.push_back(i * step);
+  return edges;
+}
+
+std::vector<double> counts(const std::vector<double>& values, const std::vector<double>& edges) {
+  std::vector<double> bins(edges.size() - 1, 0.0);
+  for (const double value : values) {
+    if (!(value >= edges.front()) || value > edges.back() * (1 + 1e-9)) continue;
+    const auto above = std::upper_bound(edges.begin(), edges.end(), value);
+    bins[std::min(static_cast<std::size_t>(above - edges.begin()), bins.size()) - 1] += 1;
+  }
+  return bins;
+}
+
+HistogramSection length_section(const VtkhdfReader& frames, const std::vector<double>& times,
+                                double bin_width) {
+  const std::vector<FiberState> states = states_at(frames, times);
+  double longest = 0;
+  for (const FiberState& state : states) {
+    for (const double length : lengths_of(state)) longest = std::max(longest, length);
+  }
+  HistogramSection section{
+      "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, bin_edges(longest, bin_width), {}};
+  for (const FiberState& state : states)
+    section.frames.push_back({label_of(state), counts(lengths_of(state), section.edges)});
+  return section;
+}
+
+HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector<double>& times) {
+  const std::vector<FiberState> states = states_at(frames, times);
+  double largest = 0;
+  for (const FiberState& state : states) {
+    for (const double curvature : curvatures_of(state)) largest = std::max(largest, curvature);
+  }
+  if (!(largest > 0)) largest = 1;
+  HistogramSection section{"curvature",
+                           "Curvature at hinges",
+                           {"curvature 1/R", "1/m"},
+                           {"hinges"},
+                           bin_edges(largest, largest / curvature_bins),
+                           {}};
+  for (const FiberState& state : states)
+    section.frames.push_back({label_of(state), counts(curvatures_of(state), section.edges)});
+  return section;
+}
+
+FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption) {
+  FibersSection section{"cell", "The cell", {}, caption};
+  const std::size_t all = frames.times().size();
+  if (all == 0) return section;
+  const auto nodes = static_cast<std::int64_t>(frames.read(all - 1).points.size() / 3);
+  const auto shown = static_cast<std::size_t>(std::clamp<std::int64_t>(
+      most_nodes / std::max<std::int64_t>(nodes, 1), 1, static_cast<std::int64_t>(all)));
+  // Evenly spread, the last one always among them.
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t number = shown == 1 ? all - 1 : i * (all - 1) / (shown - 1);
+    section.frames.push_back(frame_to_show(frames.read(number)));
+  }
+  return section;
+}
+
+}  // namespace fiberfate
