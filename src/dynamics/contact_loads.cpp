@@ -34,6 +34,16 @@ RodLoad linear_load(double lever, const Vec3& force, const Resistance& resistanc
   return {lever, force + resistance.times(old_velocity), resistance.components()};
 }
 
+// Loads of walls come after those of contacts.
+constexpr std::uint64_t first_wall_key = std::uint64_t{1} << 60;
+
+/// Orders the loads of a rod by the rod that exerts them and its image, seen from this one.
+std::uint64_t order_key(Index other, const std::array<std::int8_t, 3>& image, int sign) {
+  std::uint64_t key = static_cast<std::uint64_t>(other);
+  for (const std::int8_t turns : image) key = key * 256 + static_cast<std::uint64_t>(128 + sign * turns);
+  return key;
+}
+
 Vec3 velocity_at(std::span<const Vec3> w, Index rod, double place) {
   const auto n = static_cast<std::size_t>(rod);
   return (1 - place) * w[n] + place * w[n + 1];
@@ -51,19 +61,19 @@ ContactLoads::ContactLoads(const ContactParameters& parameters, const FiberState
 
 double ContactLoads::range() const {
   double range = 0;
-  for (const NormalForce& law : laws_) range = std::max(range, law.reach());
+  for (const NormalForce& law : laws_) range = std::max(range, law.reach() + parameters_.ramp);
   return range;
 }
 
 void ContactLoads::arrange(std::span<const Contact> contacts, const FiberState& state) {
   walls_ = parameters_.force_constant > 0 ? find_wall_contacts(state) : std::vector<WallContact>();
-  rods_.clear();
+  claims_.clear();
   for (const Contact& contact : contacts) {
-    rods_.push_back(contact.first);
-    rods_.push_back(contact.second);
+    claims_.push_back({contact.first, order_key(contact.second, contact.image, 1)});
+    claims_.push_back({contact.second, order_key(contact.first, contact.image, -1)});
   }
-  for (const WallContact& wall : walls_) rods_.push_back(wall.rod);
-  loads_.arrange(state.node_count(), rods_, slots_);
+  for (std::size_t w = 0; w < walls_.size(); ++w) claims_.push_back({walls_[w].rod, first_wall_key + w});
+  loads_.arrange(state.node_count(), claims_, slots_);
   normal_force_.resize(contacts.size());
 }
 

@@ -40,7 +40,7 @@ class ContactLoads {
   [[nodiscard]] const RodLoads& loads() const { return loads_; }
   /// Normal force of every contact as predicted for the step's end, N.
   [[nodiscard]] std::span<const double> normal_force() const { return normal_force_; }
-  /// Distance of axes below which two rods may act on each other, m.
+  /// Predicted distance of axes below which two rods act on each other (those about to close included), m.
   [[nodiscard]] double range() const;
 
  private:
@@ -51,8 +51,8 @@ class ContactLoads {
   std::size_t materials_ = 0;
   std::vector<NormalForce> laws_;  // by pair of materials
   std::vector<WallContact> walls_;
-  std::vector<Index> rods_;   // the rod of every load: two a contact, then one a wall contact
-  std::vector<Index> slots_;  // and its slot
+  std::vector<RodLoads::Claim> claims_;  // two a contact, then one a wall contact
+  std::vector<Index> slots_;             // of the claims
   std::vector<double> normal_force_;
   RodLoads loads_;
 };

@@ -93,7 +93,7 @@ class ChunkSearch {
     if (belongs_to_neighbour(state_, {f, pair.first, block_.s[i]}, -separation)) return;
     if (belongs_to_neighbour(state_, {g, pair.second, block_.t[i]}, separation)) return;
     contacts.push_back({pair.first, pair.second, block_.s[i], block_.t[i], normal(i, separation),
-                        block_.distance[i], state_.material_id[static_cast<std::size_t>(f)],
+                        block_.distance[i], pair.image, state_.material_id[static_cast<std::size_t>(f)],
                         state_.material_id[static_cast<std::size_t>(g)]});
   }
 

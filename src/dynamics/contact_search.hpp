@@ -13,10 +13,11 @@ namespace fiberfate {
 struct Contact {
   Index first = 0;
   Index second = 0;
-  double s = 0;                 ///< place on the first rod, in [0, 1]
-  double t = 0;                 ///< place on the second rod, in [0, 1]
-  Vec3 normal = Vec3::UnitX();  ///< from the second rod to the first
-  double distance = 0;          ///< of the axes, m
+  double s = 0;                           ///< place on the first rod, in [0, 1]
+  double t = 0;                           ///< place on the second rod, in [0, 1]
+  Vec3 normal = Vec3::UnitX();            ///< from the second rod to the first
+  double distance = 0;                    ///< of the axes, m
+  std::array<std::int8_t, 3> image = {};  ///< of the second rod
   std::uint16_t first_material = 0;
   std::uint16_t second_material = 0;
 };
@@ -35,7 +36,7 @@ struct ContactDemand {
 class ContactSearch {
  public:
   void find(const FiberState& state, NeighbourList& neighbours, const ContactDemand& demand);
-  /// Contacts in the order of the neighbour list, which does not depend on the number of threads.
+  /// Contacts in the order of the neighbour list.
   [[nodiscard]] std::span<const Contact> contacts() const { return contacts_; }
 
  private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,16 @@ class RodLoads {
   /// Holds no load on any rod of a state with `nodes` nodes.
   explicit RodLoads(Index nodes = 0) : begin_(static_cast<std::size_t>(nodes) + 1, 0) {}
 
-  /// Makes one slot for each entry of `rods`, in that order within a rod, and tells the slots' numbers; their
-  /// loads are then to be written, by any thread.
-  void arrange(Index nodes, std::span<const Index> rods, std::vector<Index>& slots);
+  /// Names a load before its value is known: the rod, and a key that fixes its place among the rod's loads.
+  struct Claim {
+    Index rod = 0;
+    std::uint64_t key = 0;
+  };
+
+  /// Makes one slot for each claim and tells the slots' numbers; their loads are then to be written, by any
+  /// thread. Loads of a rod are ordered by key, in whatever order they are claimed, so that sums over them
+  /// always round alike.
+  void arrange(Index nodes, std::span<const Claim> claims, std::vector<Index>& slots);
   [[nodiscard]] RodLoad& slot(Index number) { return loads_[static_cast<std::size_t>(number)]; }
 
   [[nodiscard]] std::span<const RodLoad> of_rod(Index rod) const {
@@ -35,8 +43,11 @@ class RodLoads {
   }
 
  private:
+  void sort_rod(std::size_t rod, std::span<const Claim> claims);
+
   std::vector<Index> begin_;
   std::vector<Index> next_;
+  std::vector<Index> order_;  // claims, grouped by rod
   std::vector<RodLoad> loads_;
 };
 

@@ -11,10 +11,13 @@
 namespace fiberfate {
 namespace {
 
-// Rods a chunk: small enough to balance threads, large enough to amortise their start.
-constexpr Index chunk_size = 512;
-// Bins of the grid are this share of the farthest midpoints: smaller ones hold fewer rods in vain.
-constexpr double bin_share = 0.34;
+// Bins a chunk: small enough to balance threads, large enough to amortise their start.
+constexpr Index chunk_size = 64;
+// Bins of the grid are this share of the farthest midpoints: smaller ones hold fewer rods in vain, but make
+// more runs.
+constexpr double bin_share = 0.5;
+// Rounding of coordinates in single precision, relative to the largest one.
+constexpr double single_rounding = 4e-7;
 
 }  // namespace
 
@@ -37,12 +40,13 @@ void NeighbourList::build(const FiberState& state, double range, std::vector<dou
   }
   const double widest = (longest + farthest_) * (1 + 1e-5);
   grid_.fill(state, bin_share * widest, margin_);
-  const Index rods = state.rod_count();
-  chunks_.resize(static_cast<std::size_t>((rods + chunk_size - 1) / chunk_size));
+  rounding_ = single_rounding * (state.cell.lattice.cwiseAbs().rowwise().sum().maxCoeff() + widest);
+  const Index bins = grid_.bin_count();
+  chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
   parallel_for(static_cast<std::ptrdiff_t>(chunks_.size()), [&](std::ptrdiff_t c) {
     const Index begin = static_cast<Index>(c) * chunk_size;
     PairCollector(state, *this, widest)
-        .run(begin, std::min(begin + chunk_size, rods), chunks_[static_cast<std::size_t>(c)]);
+        .run(begin, std::min(begin + chunk_size, bins), chunks_[static_cast<std::size_t>(c)]);
   });
 }
 

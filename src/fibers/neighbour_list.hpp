@@ -62,6 +62,7 @@ class NeighbourList {
   Mat3 deformation_ = Mat3::Identity();  // of the fluid since then
   double strain_ = 0;                    // integral of the largest principal rate of strain since then
   double range_ = 0;
+  double rounding_ = 0;  // of coordinates in single precision, m
   double farthest_ = 0;  // largest distance of a listed pair
 };
 

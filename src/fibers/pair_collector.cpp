@@ -10,15 +10,8 @@
 namespace fiberfate {
 namespace {
 
-// Rounding of coordinates in single precision, relative to the largest one.
-constexpr double rounding = 4e-7;
-
 bool is_later_image(const IntVec3& image) {
   return std::make_tuple(image[0], image[1], image[2]) > std::make_tuple(0, 0, 0);
-}
-
-bool comes_before(const RodPair& a, const RodPair& b) {
-  return std::tie(a.first, a.second, a.image) < std::tie(b.first, b.second, b.image);
 }
 
 }  // namespace
@@ -26,53 +19,52 @@ bool comes_before(const RodPair& a, const RodPair& b) {
 void PairCollector::run(Index begin, Index end, std::vector<RodPair>& pairs) {
   pairs.clear();
   pairs_ = &pairs;
-  // The rod with ordinal e (fibers' last nodes left out) begins at node e + fiber.
-  Index fiber = 0;
-  for (Index e = begin; e < end; ++e) {
-    while (state_.begin_node(fiber + 1) - (fiber + 1) <= e) ++fiber;
-    cull(e + fiber);
+  for (Index bin = begin; bin < end; ++bin) {
+    const Index first = list_.grid_.first_entry(bin);
+    const Index last = list_.grid_.first_entry(bin + 1);
+    if (first == last) continue;
+    list_.grid_.runs_around(bin, widest_, runs_);
+    shifts_.clear();
+    for (const RodGrid::Run& run : runs_) shifts_.push_back(state_.cell.shift(run.shift));
+    for (Index entry = first; entry < last; ++entry) cull(entry);
   }
   if (count_ > 0) measure();
-  std::sort(pairs.begin(), pairs.end(), comes_before);
 }
 
-void PairCollector::cull(Index rod) {
+void PairCollector::cull(Index entry) {
   const RodGrid& grid = list_.grid_;
-  const Index entry = grid.entry_of(rod);
   const auto e = static_cast<std::size_t>(entry);
-  const auto n = static_cast<std::size_t>(rod);
+  const auto n = static_cast<std::size_t>(grid.rod[e]);
   const Vec3 axis = (state_.position[n + 1] - state_.position[n]).normalized();
-  const double largest = state_.cell.lattice.cwiseAbs().rowwise().sum().maxCoeff() + widest_;
   RodCull query{};
   query.ax = static_cast<float>(axis.x());
   query.ay = static_cast<float>(axis.y());
   query.az = static_cast<float>(axis.z());
   query.half_length = grid.half_length[e];
-  query.keep = static_cast<float>(list_.range_ + list_.margin_[n] + rounding * largest);
+  query.keep = static_cast<float>(list_.range_ + list_.margin_[n] + list_.rounding_);
   query.midpoint_x = grid.x.data();
   query.midpoint_y = grid.y.data();
   query.midpoint_z = grid.z.data();
   query.half_lengths = grid.half_length.data();
   query.margins = grid.margin_of.data();
-
-  grid.runs_around(entry, widest_, runs_);
-  for (const RodGrid::Run& run : runs_) {
-    const Vec3 shift = state_.cell.shift(run.shift);
-    query.x = static_cast<float>(grid.x[e] - shift.x());
-    query.y = static_cast<float>(grid.y[e] - shift.y());
-    query.z = static_cast<float>(grid.z[e] - shift.z());
-    found_.resize(static_cast<std::size_t>(run.end - run.begin) + RodGrid::padding);
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    const RodGrid::Run& run = runs_[r];
+    query.x = grid.x[e] - static_cast<float>(shifts_[r].x());
+    query.y = grid.y[e] - static_cast<float>(shifts_[r].y());
+    query.z = grid.z[e] - static_cast<float>(shifts_[r].z());
+    found_.resize(std::max(found_.size(), static_cast<std::size_t>(run.end - run.begin) + RodGrid::padding));
     const int near = cull_rods(query, run.begin, run.end, found_.data());
-    for (int i = 0; i < near; ++i) consider(rod, found_[static_cast<std::size_t>(i)], run.shift);
+    for (int i = 0; i < near; ++i) consider(entry, found_[static_cast<std::size_t>(i)], run.shift);
   }
 }
 
-void PairCollector::consider(Index rod, Index entry, const IntVec3& shift) {
+void PairCollector::consider(Index entry, Index other_entry, const IntVec3& shift) {
   const RodGrid& grid = list_.grid_;
-  const Index other = grid.rod[static_cast<std::size_t>(entry)];
+  const Index rod = grid.rod[static_cast<std::size_t>(entry)];
+  const Index other = grid.rod[static_cast<std::size_t>(other_entry)];
   if (other < rod) return;
-  const auto& mine = grid.image[static_cast<std::size_t>(grid.entry_of(rod))];
-  const auto& theirs = grid.image[static_cast<std::size_t>(entry)];
+  const auto& mine = grid.image[static_cast<std::size_t>(entry)];
+  const auto& theirs = grid.image[static_cast<std::size_t>(other_entry)];
   const IntVec3 image(mine[0] - theirs[0] + shift[0], mine[1] - theirs[1] + shift[1],
                       mine[2] - theirs[2] + shift[2]);
   if (other == rod && !is_later_image(image)) return;

@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Finds the pairs of rods [begin, end), counted without the fibers' last nodes: cull on the grid, then exact
+/// Finds the pairs whose first entry lies in the bins [begin, end) of the grid: cull there, then exact
 /// distances.
 class PairCollector {
  public:
@@ -18,8 +18,8 @@ class PairCollector {
   void run(Index begin, Index end, std::vector<RodPair>& pairs);
 
  private:
-  void cull(Index rod);
-  void consider(Index rod, Index entry, const IntVec3& shift);
+  void cull(Index entry);
+  void consider(Index entry, Index other_entry, const IntVec3& shift);
   void add(const RodPair& pair);
   void measure();
   [[nodiscard]] bool is_own_neighbour(Index rod, Index other) const;
@@ -29,6 +29,7 @@ class PairCollector {
   double widest_;
   std::vector<RodPair>* pairs_ = nullptr;
   std::vector<RodGrid::Run> runs_;
+  std::vector<Vec3> shifts_;  // of the runs, m
   std::vector<Index> found_;
   SegmentBlock block_;
   std::array<RodPair, SegmentBlock::capacity> candidate_{};

@@ -1,4 +1,8 @@
 // Culls sixteen rods at a time in single precision.
+#ifdef __AVX2__
+#include <immintrin.h>
+#endif
+
 #include "base/simd.hpp"
 #include "fibers/rod_cull.hpp"
 
@@ -12,6 +16,20 @@ typedef float UnalignedFloats __attribute__((vector_size(64), aligned(4)));
 
 static inline __attribute__((always_inline)) Floats read(const float* from) {
   return *reinterpret_cast<const UnalignedFloats*>(from);
+}
+
+/// Gathers the lanes of a comparison into the bits of a number.
+static inline __attribute__((always_inline)) std::uint32_t to_bits(const Bits& mask) {
+#if defined(__AVX512DQ__)
+  return _mm512_movepi32_mask(reinterpret_cast<const __m512i&>(mask));
+#elif defined(__AVX2__)
+  const __m256* halves = reinterpret_cast<const __m256*>(&mask);
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(halves[0]) | (_mm256_movemask_ps(halves[1]) << 8));
+#else
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < width; ++lane) bits |= (mask[lane] != 0 ? 1U : 0U) << lane;
+  return bits;
+#endif
 }
 }  // namespace
 
@@ -29,11 +47,9 @@ int cull_rods(const RodCull& query, Index begin, Index end, Index* found) {
     const Floats ez = dz - place * query.az;
     const Floats reach = read(query.half_lengths + first) + read(query.margins + first) + query.keep;
     const Bits near = ex * ex + ey * ey + ez * ez <= reach * reach;
-    const int lanes_left = end - first < width ? static_cast<int>(end - first) : width;
-    for (int lane = 0; lane < lanes_left; ++lane) {
-      found[count] = first + lane;
-      count -= near[lane];
-    }
+    const Index left = end - first;
+    std::uint32_t bits = to_bits(near) & (left < width ? (1U << left) - 1U : 0xFFFFU);
+    for (; bits != 0; bits &= bits - 1) found[count++] = first + __builtin_ctz(bits);
   }
   return count;
 }

@@ -65,7 +65,6 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
   for (auto* array : {&x, &y, &z, &half_length, &margin_of}) array->resize(rods + padding, 0.0F);
   rod.resize(rods);
   image.resize(rods);
-  entry_of_.assign(static_cast<std::size_t>(state.node_count()), -1);
   for (const BinnedRod& one : unsorted) {
     const Index place = next[static_cast<std::size_t>(one.bin)]++;
     const auto e = static_cast<std::size_t>(place);
@@ -77,7 +76,6 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
     rod[e] = one.rod;
     for (std::size_t i = 0; i < 3; ++i)
       image[e][i] = static_cast<std::int16_t>(one.image[static_cast<int>(i)]);
-    entry_of_[static_cast<std::size_t>(one.rod)] = place;
   }
 }
 
@@ -91,22 +89,18 @@ std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
   return bin;
 }
 
-void RodGrid::runs_around(Index entry, double reach, std::vector<Run>& runs) const {
+void RodGrid::runs_around(Index bin, double reach, std::vector<Run>& runs) const {
   runs.clear();
-  const auto e = static_cast<std::size_t>(entry);
-  const Vec3 fraction = to_fraction_ * Vec3(x[e], y[e], z[e]);
+  const std::array<int, 3> centre = {bin / (bins_[1] * bins_[2]), bin / bins_[2] % bins_[1], bin % bins_[2]};
   std::array<int, 3> low{};
   std::array<int, 3> high{};
   for (std::size_t i = 0; i < 3; ++i) {
-    // Single precision moves a midpoint by less than this share of a bin.
-    const double allowance = 1e-3;
-    const double place = fraction[static_cast<int>(i)] * bins_[i];
-    const double span = reach * bins_[i] / height_[i] + allowance;
-    low[i] = static_cast<int>(std::floor(place - span));
-    high[i] = static_cast<int>(std::floor(place + span));
+    const int span = static_cast<int>(std::ceil(reach * bins_[i] / height_[i]));
+    low[i] = centre[i] - span;
+    high[i] = centre[i] + span;
     if (boundary_[i] == Boundary::periodic) continue;
-    low[i] = std::clamp(low[i], 0, bins_[i] - 1);
-    high[i] = std::clamp(high[i], 0, bins_[i] - 1);
+    low[i] = std::max(low[i], 0);
+    high[i] = std::min(high[i], bins_[i] - 1);
   }
   for (int i = low[0]; i <= high[0]; ++i) {
     for (int j = low[1]; j <= high[1]; ++j) {

@@ -27,8 +27,12 @@ class RodGrid {
   /// Bins all rods, with bins no narrower than `bin_width` (m); `margin` is kept with each rod.
   void fill(const FiberState& state, double bin_width, const std::vector<double>& margin);
 
-  /// Lists the runs that hold every midpoint within `reach` of the given entry's.
-  void runs_around(Index entry, double reach, std::vector<Run>& runs) const;
+  /// Lists the runs that hold every midpoint within `reach` (m) of a midpoint in the given bin.
+  void runs_around(Index bin, double reach, std::vector<Run>& runs) const;
+
+  [[nodiscard]] Index bin_count() const { return static_cast<Index>(begin_.size()) - 1; }
+  /// Tells the first entry of a bin; its last one comes before the next bin's first.
+  [[nodiscard]] Index first_entry(Index bin) const { return begin_[static_cast<std::size_t>(bin)]; }
 
   // One entry a rod, sorted by bin, then by rod.
   std::vector<float> x, y, z;                      ///< midpoint, wrapped into the cell, m
@@ -36,11 +40,6 @@ class RodGrid {
   std::vector<float> margin_of;                    ///< m
   std::vector<Index> rod;                          ///< number of the rod
   std::vector<std::array<std::int16_t, 3>> image;  ///< the cell image that the unwrapped midpoint lies in
-
-  /// Tells the entry of a rod.
-  [[nodiscard]] Index entry_of(Index rod_number) const {
-    return entry_of_[static_cast<std::size_t>(rod_number)];
-  }
 
  private:
   [[nodiscard]] std::array<int, 3> bin_at(const Vec3& midpoint) const;
@@ -54,7 +53,6 @@ class RodGrid {
   std::array<Boundary, 3> boundary_{};
   Mat3 to_fraction_ = Mat3::Identity();
   std::vector<Index> begin_;  // of each bin in the entries
-  std::vector<Index> entry_of_;
 };
 
 }  // namespace fiberfate
