@@ -22,7 +22,7 @@ std::string default_folder(const std::string& case_file) {
   const std::filesystem::path path = std::filesystem::absolute(case_file);
   const std::string stem =
       path.stem() == "case" ? path.parent_path().filename().string() : path.stem().string();
-  return stem + "_result";
+  return "results/" + stem;
 }
 
 }  // namespace

@@ -121,8 +121,9 @@ HistogramSection break_radius_section(const ShearCellCase& values, const CsvTabl
 }
 
 std::vector<double> histogram_times(const ShearCellCase& values, const VtkhdfReader& frames) {
-  if (!values.output.histogram_times.empty()) return values.output.histogram_times;
-  return {frames.times().front(), frames.times().back()};
+  std::vector<double> times = values.output.histogram_times;
+  times.insert(times.end(), {frames.times().front(), frames.times().back()});
+  return times;
 }
 
 }  // namespace
