@@ -33,6 +33,8 @@ void main() {
   bool chosen = family < -0.5 || abs(ids.y - family) < 0.5;
   emphasis = abs(ids.x - hovered) < 0.5 ? 2.0 : (chosen ? 1.0 : 0.0);
   gl_Position = projectionMatrix * in_view;
+  // The followed family lies in the front tenth of the depth range: faded fibers never hide it.
+  if (family > -0.5 && chosen) gl_Position.z = mix(-gl_Position.w, gl_Position.z, 0.1);
 }`;
 
 const fragment_shader = /* glsl */ `
