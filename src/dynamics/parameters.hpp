@@ -43,11 +43,10 @@ enum class StepControl { fixed, adaptive };
 /// Holds how time is stepped.
 struct StepParameters {
   StepControl control = StepControl::adaptive;
-  double initial = 1e-5;   ///< first step of `adaptive`, every step of `fixed`, s
-  double minimum = 1e-10;  ///< below this the simulation fails, s
-  double maximum = 1e-3;   ///< s
-  double tolerance =
-      0.02;  ///< local error of displacement a step that `adaptive` allows, in radii (rms over nodes)
+  double initial = 1e-5;     ///< first step of `adaptive`, every step of `fixed`, s
+  double minimum = 1e-10;    ///< below this the simulation fails, s
+  double maximum = 1e-3;     ///< s
+  double tolerance = 0.005;  ///< displacement error a step that `adaptive` allows, rms over nodes, in radii
   double maximum_strain = 0.05;  ///< most strain of the flow in one step of `adaptive`
 };
 
