@@ -1,0 +1,175 @@
+"""Runs: what a result folder holds, and that it is true to itself."""
+import json
+import re
+from pathlib import Path
+
+import h5py
+import numpy
+import pytest
+
+from small_case import CASE, column, run, series, summary, write_case
+
+DOCS = Path(__file__).resolve().parents[2] / "docs" / "formats"
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("run")
+    case = write_case(folder)
+    run("run", case, "--out", folder / "result", "--threads", 2)
+    return folder / "result"
+
+
+def test_folder_holds_every_file(result):
+    files = {path.name for path in result.iterdir()}
+    assert files == {"case.resolved.toml", "summary.json", "series.csv", "breaks.csv", "result.vtkhdf",
+                     "checkpoint.h5", "checkpoint.previous.h5", "log.txt"}
+
+
+def test_summary_agrees_with_the_last_row_of_the_series(result):
+    values = summary(result)
+    assert values["study"] == "shear_cell"
+    assert values["stop_reason"] == "done"
+    assert values["seed"] == 7
+    assert values["threads"] == 2
+    assert values["ranks"] == 1
+    assert values["simulated_s"] == pytest.approx(0.02, rel=1e-12)
+    for key, name in {"L_N_m": "L_N_m", "L_W_m": "L_W_m", "breaks": "breaks", "rods": "rods", "fibers": "fibers",
+                      "steps": "steps", "max_overlap_radii": "max_overlap_radii", "contacts": "contacts",
+                      "strain": "strain", "min_radius_m": "min_radius_m"}.items():
+        assert values[key] == column(result, name)[-1], key
+    for i in range(3):
+        for j in range(i, 3):
+            assert values["A2"][i][j] == column(result, f"a{i + 1}{j + 1}")[-1]
+    assert numpy.trace(values["A2"]) == pytest.approx(1, abs=1e-12)
+    assert values["segment_steps_per_s"] > 0
+    assert set(values["timings"]) == {"neighbours", "loads", "solve", "update", "breakage", "output"}
+    phases = sum(values["timings"].values())
+    assert 0 < phases <= values["wall_s"] * 1.01
+    assert values["stepping_s"] <= values["wall_s"]
+
+
+def test_fibers_break_and_nothing_is_lost(result):
+    values = summary(result)
+    assert values["breaks"] > 0
+    assert values["fibers"] == 24 + values["breaks"]
+    assert values["rods"] == 24 * 8
+    assert values["L_N_m"] * values["fibers"] == pytest.approx(24 * 8 * 60e-6, rel=1e-9)
+
+
+def test_breaks_are_listed(result):
+    values = summary(result)
+    times = column(result, "time_s", "breaks.csv")
+    assert len(times) == values["breaks"]
+    assert times == sorted(times)
+    checks = numpy.array(times) / 1e-3
+    assert numpy.allclose(checks, numpy.round(checks), atol=1e-9), "breaks happen at checks only"
+    parents = numpy.array(column(result, "parent_length_m", "breaks.csv"))
+    children = numpy.array(column(result, "child_length_m", "breaks.csv"))
+    assert (children < parents).all() and (children > 0).all()
+    assert max(column(result, "radius_m", "breaks.csv")) <= 371e-6
+
+
+def test_rows_stand_at_their_exact_times(result):
+    times = numpy.array(column(result, "time_s"))
+    assert len(times) == 21
+    assert numpy.abs(times - 1e-3 * numpy.arange(21)).max() < 1e-15
+    assert numpy.allclose(column(result, "strain"), 200 * times, rtol=1e-12, atol=0)
+
+
+def test_frames_hold_what_the_series_says(result):
+    with h5py.File(result / "result.vtkhdf") as file:
+        steps = file["VTKHDF/Steps"]
+        assert numpy.allclose(steps["Values"], 4e-3 * numpy.arange(6), atol=1e-15)
+        fibers = file["VTKHDF/Lines/NumberOfCells"][:]
+        rows = numpy.array(column(result, "fibers"))[::4]
+        assert (fibers == rows).all()
+        length = file["VTKHDF/CellData/length"][-int(fibers[-1]):]
+        assert length.mean() == pytest.approx(column(result, "L_N_m")[-1], rel=1e-6)
+
+
+def test_threads_change_nothing(result, tmp_path):
+    run("run", write_case(tmp_path), "--out", tmp_path / "one", "--threads", 1)
+    assert series(tmp_path / "one") == series(result)
+    assert series(tmp_path / "one", "breaks.csv") == series(result, "breaks.csv")
+
+
+def test_resolved_case_runs_to_the_same_end(result, tmp_path):
+    run("run", result / "case.resolved.toml", "--out", tmp_path / "again")
+    assert series(tmp_path / "again") == series(result)
+
+
+def test_a_result_is_not_overwritten_unless_told_to(result, tmp_path):
+    case = write_case(tmp_path)
+    run("run", case, "--out", tmp_path / "r", "--steps", 2)
+    (tmp_path / "r" / "notes.txt").write_text("mine")
+    before = (tmp_path / "r" / "summary.json").read_bytes()
+    refused = run("run", case, "--out", tmp_path / "r", expect=2)
+    assert "already holds a result" in refused.stderr
+    assert "--overwrite" in refused.stderr
+    assert (tmp_path / "r" / "summary.json").read_bytes() == before
+    run("run", case, "--out", tmp_path / "r", "--steps", 3, "--overwrite")
+    assert summary(tmp_path / "r")["steps"] == 3
+    assert (tmp_path / "r" / "notes.txt").read_text() == "mine"
+
+
+def test_steps_and_until_stop_early(tmp_path):
+    case = write_case(tmp_path)
+    run("run", case, "--out", tmp_path / "steps", "--steps", 5)
+    assert summary(tmp_path / "steps")["stop_reason"] == "steps_reached"
+    assert summary(tmp_path / "steps")["steps"] == 5
+    run("run", case, "--out", tmp_path / "until", "--until", "2.5 ms")
+    assert summary(tmp_path / "until")["stop_reason"] == "time_reached"
+    assert summary(tmp_path / "until")["simulated_s"] == 2.5e-3
+    assert column(tmp_path / "until", "time_s")[-1] == 2.5e-3
+
+
+def test_default_folder_is_named_after_the_case(tmp_path):
+    write_case(tmp_path)
+    (tmp_path / "case.toml").rename(tmp_path / "shear.toml")
+    run("run", "shear.toml", "--steps", 1, cwd=tmp_path)
+    assert (tmp_path / "results" / "shear" / "summary.json").exists()
+
+
+def test_a_file_that_holds_no_fibers_leaves_nothing(tmp_path):
+    case = write_case(tmp_path)
+    (tmp_path / "fibers.csv").write_text("fiber,x_m,y_m,z_m\n0,0,0,0\n0,1e-4,zero,0\n")
+    failed = run("run", case, "--out", tmp_path / "r", expect=2)
+    assert "fibers.csv:3: 'zero' is not a number" in failed.stderr
+    assert not (tmp_path / "r").exists()
+
+
+def test_progress_in_a_pipe_is_plain_lines(tmp_path):
+    case = write_case(tmp_path, CASE.replace('duration = "20 ms"', 'duration = "2 s"'))
+    done = run("run", case, "--out", tmp_path / "r", "--until", "40 ms", "--progress", "line")
+    assert "\r" in done.stderr
+    assert re.search(r"of 0\.04 s, .*L_N .* mm, L_W .* mm, step .* s \(\w+\)", done.stderr)
+    quiet = run("run", case, "--out", tmp_path / "q", "--until", "1 ms")
+    assert "\r" not in quiet.stderr
+
+
+def test_a_failing_simulation_leaves_its_state(tmp_path):
+    text = CASE + '\n[step]\nminimum = "9e-4 s"\nmaximum = "1e-3 s"\ninitial = "1e-3 s"\ntolerance = 1e-9\n'
+    failed = run("run", write_case(tmp_path, text), "--out", tmp_path / "r", expect=3)
+    assert re.search(r"fiber \d+, step \d+, time .* s, largest force .* N", failed.stderr)
+    assert "failure.h5" in failed.stderr
+    with h5py.File(tmp_path / "r" / "failure.h5") as file:
+        assert file["state/position"].shape == (24 * 9, 3)
+
+
+def test_docs_name_every_summary_key_and_series_column(result):
+    text = (DOCS / "summary.md").read_text(encoding="utf-8")
+    documented = set(re.findall(r"^\| `([^`]+)`", text, re.M))
+    common_and_own = set(json.loads((result / "summary.json").read_text()))
+    assert common_and_own <= documented, common_and_own - documented
+    text = (DOCS / "series.md").read_text(encoding="utf-8")
+    documented = set(re.findall(r"^\| `([^`]+)`", text, re.M))
+    columns = set(series(result)[0]) | set(series(result, "breaks.csv")[0])
+    assert columns == documented, columns ^ documented
+
+
+def test_report_opens_as_one_file(result):
+    done = run("report", result)
+    assert "report.html" in done.stdout
+    page = (result / "report.html").read_text(encoding="utf-8")
+    assert "Fibers in a sheared cell" in page and "Mean fiber lengths" in page
