@@ -195,12 +195,12 @@ void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, c
   const SearchKernel search = search_kernel();
   const CentreArrays centres = {x_.data(), y_.data(), z_.data(), reach_.data()};
   const RodRecord& own = records_[subject];
-  const double length = chains.rod_length[static_cast<std::size_t>(fiber_of_slot_[subject])];
+  const double half = Vec3(own.half[0], own.half[1], own.half[2]).norm();
   const IntVec3 box = grid.box({own.centre[0], own.centre[1], own.centre[2]});
   SearchRod rod{};
-  for (int i = 0; i < 3; ++i) rod.direction[i] = own.half[i] * 2 / length;
+  for (int i = 0; i < 3; ++i) rod.direction[i] = own.half[i] / half;
   rod.tube = range.swelling * own.radius + range.reach + range.skin;
-  rod.sphere = rod.tube + 0.5 * length;
+  rod.sphere = rod.tube + half;
   candidates.rod.clear();
   candidates.image.clear();
   const Range y = grid.around(box, 1), z = grid.around(box, 2);
@@ -303,6 +303,21 @@ void RodNeighbours::build(const Chains& chains, const NeighbourRange& range) {
 
 RepulsionInput RodNeighbours::input() const {
   return {records_.data(), begin_.data(), rod_.data(), image_.data(), shifts_.data()};
+}
+
+std::vector<NeighbourRod> RodNeighbours::of(std::size_t node) const {
+  std::vector<NeighbourRod> near;
+  const std::size_t subject = slot(node);
+  for (std::int32_t at = begin_[subject]; at < begin_[subject + 1]; ++at) {
+    const auto i = static_cast<std::size_t>(at);
+    const auto other = static_cast<std::size_t>(rod_[i]);
+    if (other == rods_) continue;
+    const auto other_node = static_cast<std::size_t>(node_of_slot_[other]);
+    const double* shift = shifts_[static_cast<std::size_t>(image_[i])].shift;
+    near.push_back({static_cast<std::size_t>(fiber_of_slot_[other]), other_node,
+                    Vec3(shift[0], shift[1], shift[2]) + wrap_[node] - wrap_[other_node]});
+  }
+  return near;
 }
 
 }  // namespace fiberfate

@@ -19,6 +19,13 @@ struct NeighbourRange {
   double skin = 0;
 };
 
+/// Names a rod near another one.
+struct NeighbourRod {
+  std::size_t fiber = 0;
+  std::size_t node = 0;       ///< where it begins
+  Vec3 shift = Vec3::Zero();  ///< to be added to its nodes to bring it near
+};
+
 /// Lists rod pairs. Rods are kept in slots sorted by place, so that neighbours are near in memory.
 ///
 /// Rods of one fiber that are nearer along it than twice the contact distance are not listed with each other
@@ -30,6 +37,8 @@ class RodNeighbours {
   /// Writes the records of a fiber's rods from its nodes; to be called after it moved.
   void refresh(const Chains& chains, std::size_t fiber);
   [[nodiscard]] RepulsionInput input() const;
+  /// Lists the rods near the one that begins at this node.
+  [[nodiscard]] std::vector<NeighbourRod> of(std::size_t node) const;
   [[nodiscard]] std::size_t slot(std::size_t node) const {
     return static_cast<std::size_t>(slot_of_node_[node]);
   }

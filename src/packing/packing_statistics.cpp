@@ -1,0 +1,147 @@
+// Measures overlap, curvature, orientation, contacts and pair distances of packed fibers.
+#include "packing/packing_statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/constants.hpp"
+#include "base/threads.hpp"
+#include "fibers/closest_points.hpp"
+#include "fibers/observables.hpp"
+#include "packing/chains.hpp"
+#include "packing/rod_neighbours.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr std::size_t bin_count = 40;
+constexpr double bin_width = 0.1;          // diameters
+constexpr double contact_distance = 1.05;  // diameters
+constexpr std::size_t sampled_rods = 1000;
+
+/// The state in diameters of its thickest fiber.
+Chains chains_of(const FiberState& state, double unit) {
+  Chains chains;
+  chains.cell = state.cell;
+  chains.cell.lattice /= unit;
+  chains.first_node = state.first_node;
+  for (const Vec3& x : state.position) chains.position.push_back(x / unit);
+  for (Index f = 0; f < state.fiber_count(); ++f) {
+    double longest = 0;
+    for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k)
+      longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
+    chains.rod_length.push_back(longest / unit);
+    chains.radius.push_back(state.material(f).radius / unit);
+  }
+  return chains;
+}
+
+/// Tells whether the nearest point at place s of rod k is nearest among its neighbours along the fiber too; a
+/// hinge belongs to the rod that ends there. `away` points from the other fiber to this one.
+bool is_locally_nearest(const Chains& chains, std::size_t fiber, std::size_t k, double s, const Vec3& away) {
+  if (s <= 0) return k == chains.begin_node(fiber);
+  if (s < 1 || k + 2 == chains.end_node(fiber)) return true;
+  return (chains.position[k + 2] - chains.position[k + 1]).dot(away) >= 0;
+}
+
+/// Mean |sin| of the angle between two rods picked by length, over evenly picked rods.
+double mean_sine(const Chains& chains) {
+  std::vector<Vec3> rods;
+  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
+    for (std::size_t k = chains.begin_node(f); k + 1 < chains.end_node(f); ++k)
+      rods.push_back(chains.position[k + 1] - chains.position[k]);
+  }
+  const std::size_t stride = std::max<std::size_t>(1, rods.size() / sampled_rods);
+  double sum = 0, weight = 0;
+  for (std::size_t i = 0; i < rods.size(); i += stride) {
+    for (std::size_t j = 0; j < i; j += stride) {
+      sum += rods[i].cross(rods[j]).norm();
+      weight += rods[i].norm() * rods[j].norm();
+    }
+  }
+  return weight > 0 ? sum / weight : 0;
+}
+
+struct PairCounts {
+  std::array<std::int64_t, bin_count> bins{};
+  std::int64_t contacts = 0;
+  double largest_overlap = 0;
+};
+
+PairCounts count_pairs(const Chains& chains) {
+  RodNeighbours neighbours;
+  neighbours.build(chains, {bin_count * bin_width, 0, 0});
+  const std::ptrdiff_t fibers = chains.fiber_count();
+  std::vector<PairCounts> counts(static_cast<std::size_t>(fibers));
+  parallel_for(fibers, [&](std::ptrdiff_t f) {
+    const auto fiber = static_cast<std::size_t>(f);
+    PairCounts& own = counts[fiber];
+    for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
+      for (const NeighbourRod& other : neighbours.of(k)) {
+        const Vec3 begin = chains.position[other.node] + other.shift,
+                   end = chains.position[other.node + 1] + other.shift;
+        const ClosestPoints p = closest_points({chains.position[k], chains.position[k + 1]}, {begin, end});
+        const double touching = chains.radius[fiber] + chains.radius[other.fiber];
+        own.largest_overlap = std::max(own.largest_overlap, 1 - p.distance / touching);
+        if (!is_locally_nearest(chains, fiber, k, p.s, p.separation)) continue;
+        if (!is_locally_nearest(chains, other.fiber, other.node, p.t, -p.separation)) continue;
+        const auto bin = static_cast<std::size_t>(p.distance / touching / bin_width);
+        if (bin < bin_count) ++own.bins[bin];
+        if (p.distance < contact_distance * touching) ++own.contacts;
+      }
+    }
+  });
+  PairCounts total;
+  for (const PairCounts& own : counts) {
+    for (std::size_t b = 0; b < bin_count; ++b) total.bins[b] += own.bins[b];
+    total.contacts += own.contacts;
+    total.largest_overlap = std::max(total.largest_overlap, own.largest_overlap);
+  }
+  return total;
+}
+
+/// Expected number of others whose axis passes a random straight fiber within h: (N/V) (2 L² h <|sin|> + 2 pi
+/// h² L + 4/3 pi h³). With h = D this is Toll's (8/pi) phi (L/D) f + 4 phi (g + 1) of J. Rheol. 37 (1993) 123
+/// for slender fibers.
+double expected_within(double h, double density, double length, double sine) {
+  return density * (2 * length * length * h * sine + 2 * pi * h * h * length + 4.0 / 3.0 * pi * h * h * h);
+}
+
+}  // namespace
+
+PackingReport measure_packing(const FiberState& state, const Mat3& asked) {
+  PackingReport report;
+  report.orientation_asked = asked;
+  report.orientation_reached = orientation_tensor(state, Weighting::length);
+  report.orientation_error = (report.orientation_reached - asked).cwiseAbs().maxCoeff();
+  report.volume_fraction = volume_fraction(state);
+  report.minimum_radius = minimum_radius(state);
+  const std::vector<double> radii = hinge_radii(state);
+  for (const double radius : radii) report.mean_curvature += 1 / radius / static_cast<double>(radii.size());
+
+  double unit = 0, mean_diameter = 0;
+  for (Index f = 0; f < state.fiber_count(); ++f) {
+    unit = std::max(unit, state.material(f).diameter());
+    mean_diameter += state.material(f).diameter() / state.fiber_count();
+  }
+  const Chains chains = chains_of(state, unit);
+  const PairCounts counts = count_pairs(chains);
+  report.largest_overlap = counts.largest_overlap;
+  const double fibers = state.fiber_count();
+  report.contacts_per_fiber = static_cast<double>(counts.contacts) / fibers;
+  const double length = mean_lengths(state).number_average, density = fibers / state.cell.volume();
+  const double sine = mean_sine(chains);
+  const auto expected = [&](double distance) {
+    return expected_within(distance * mean_diameter, density, length, sine);
+  };
+  report.contacts_random = expected(contact_distance);
+  for (std::size_t b = 0; b < bin_count; ++b) {
+    const double low = bin_width * static_cast<double>(b), high = low + bin_width;
+    report.pair_distances.push_back(
+        {low, high, static_cast<double>(counts.bins[b]) / fibers, expected(high) - expected(low)});
+  }
+  return report;
+}
+
+}  // namespace fiberfate

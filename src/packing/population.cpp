@@ -1,0 +1,178 @@
+// Works out which fibers and which cell a concentration asks for.
+#include "packing/population.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/constants.hpp"
+#include "base/error.hpp"
+
+namespace fiberfate {
+namespace {
+
+// Densest packing of equal parallel cylinders, pi / sqrt(12).
+constexpr double densest = 0.9068996821171089;
+// A cell holds at least this many fibers when it is chosen for them.
+constexpr double memory_limit_fibers = 2e8;
+
+double section(const FiberSpecies& species) {
+  return pi * species.material.radius * species.material.radius;
+}
+
+double total_share(const std::vector<FiberSpecies>& species) {
+  return std::accumulate(species.begin(), species.end(), 0.0,
+                         [](double sum, const FiberSpecies& one) { return sum + one.volume_share; });
+}
+
+void require_species(const std::vector<FiberSpecies>& species) {
+  if (species.empty()) throw InputError("no fibers are described", "give at least one kind of fiber");
+  for (const FiberSpecies& one : species) {
+    if (!(one.material.radius > 0)) throw InputError("a fiber has no diameter", "give a diameter above zero");
+    if (!(one.volume_share > 0))
+      throw InputError(fmt::format("a kind of fiber has the volume share {:.4g}", one.volume_share),
+                       "give shares above zero, or leave that kind out");
+    require_admissible(one.length);
+  }
+}
+
+/// Density of all fibers together: shares are of volume.
+double mean_density(const std::vector<FiberSpecies>& species) {
+  double mass = 0;
+  for (const FiberSpecies& one : species) mass += one.volume_share * one.material.density;
+  return mass / total_share(species);
+}
+
+void require_fraction(double fraction, const char* what) {
+  if (!(fraction > 0) || !(fraction < 1))
+    throw InputError(fmt::format("the {} is {:.4g}", what, fraction), "give a number between 0 and 1");
+}
+
+double requested_fraction(const std::vector<FiberSpecies>& species, const ConcentrationRequest& request) {
+  double fraction = 0;
+  if (request.volume_fraction) {
+    require_fraction(*request.volume_fraction, "volume fraction");
+    fraction = *request.volume_fraction;
+  } else {
+    require_fraction(*request.weight_fraction, "weight fraction");
+    const double density = mean_density(species);
+    if (!(density > 0) || !(request.matrix_density > 0))
+      throw InputError("a weight fraction is given without the densities",
+                       "give the densities of fibers and matrix, or the volume fraction");
+    fraction = volume_from_weight_fraction(*request.weight_fraction, density, request.matrix_density);
+  }
+  if (fraction >= densest)
+    throw InputError(fmt::format("a volume fraction of fibers of {:.4g} does not exist", fraction),
+                     fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest));
+  return fraction;
+}
+
+void require_two(const ConcentrationRequest& request) {
+  const bool fraction = request.volume_fraction || request.weight_fraction;
+  if (request.volume_fraction && request.weight_fraction)
+    throw InputError("both a volume fraction and a weight fraction are given", "give one of them");
+  const int given = (request.count ? 1 : 0) + (fraction ? 1 : 0) + (request.cell_size ? 1 : 0);
+  if (given == 3)
+    throw InputError("count, fraction and cell size of the fibers are all given",
+                     "two of them fix the third: leave one out");
+  if (given < 2)
+    throw InputError("the amount of fibers is not fixed",
+                     "give two of: count, volume or weight fraction, cell size");
+  if (request.count && *request.count < 1)
+    throw InputError(fmt::format("the number of fibers is {}", *request.count), "give at least 1");
+}
+
+void require_room(const Vec3& size, const std::vector<FiberSpecies>& species) {
+  double thickest = 0;
+  for (const FiberSpecies& one : species) thickest = std::max(thickest, one.material.diameter());
+  // A fiber and its own image keep their distance only in a cell of two diameters.
+  if (!(size.minCoeff() >= 2 * thickest))
+    throw InputError(fmt::format("an edge of the cell is {:.4g} m", size.minCoeff()),
+                     fmt::format("give at least two fiber diameters, {:.4g} m", 2 * thickest));
+}
+
+/// Fibers of one kind in a volume of that kind's fibers: to the nearest fiber.
+std::int64_t count_in(double volume, const FiberSpecies& species) {
+  const double count = volume / (section(species) * number_average(species.length));
+  if (count > memory_limit_fibers)
+    throw InputError(fmt::format("the cell would hold {:.3g} fibers", count),
+                     fmt::format("at most {:.1g} are possible: make the cell smaller", memory_limit_fibers));
+  return std::llround(count);
+}
+
+/// Shares a number of fibers out to the kinds by their numbers (volume share over fiber volume), to one fiber
+/// each.
+std::vector<std::int64_t> share_out(std::int64_t count, const std::vector<FiberSpecies>& species) {
+  std::vector<double> numbers;
+  for (const FiberSpecies& one : species)
+    numbers.push_back(one.volume_share / (section(one) * number_average(one.length)));
+  const double total = std::accumulate(numbers.begin(), numbers.end(), 0.0);
+  std::vector<std::int64_t> counts;
+  double reached = 0;
+  std::int64_t given = 0;
+  for (const double number : numbers) {
+    reached += number / total;
+    const std::int64_t upto = std::llround(reached * static_cast<double>(count));
+    counts.push_back(upto - given);
+    given = upto;
+  }
+  return counts;
+}
+
+std::vector<std::int64_t> counts_of(const std::vector<FiberSpecies>& species,
+                                    const ConcentrationRequest& request) {
+  if (request.count) return share_out(*request.count, species);
+  const double volume = requested_fraction(species, request) * request.cell_size->prod();
+  std::vector<std::int64_t> counts;
+  for (const FiberSpecies& one : species)
+    counts.push_back(count_in(volume * one.volume_share / total_share(species), one));
+  if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) == 0)
+    throw InputError("the cell would hold no fiber", "make the cell larger or the fraction higher");
+  return counts;
+}
+
+}  // namespace
+
+double volume_from_weight_fraction(double weight_fraction, double fiber_density, double matrix_density) {
+  const double fibers = weight_fraction / fiber_density;
+  return fibers / (fibers + (1 - weight_fraction) / matrix_density);
+}
+
+double weight_from_volume_fraction(double volume_fraction, double fiber_density, double matrix_density) {
+  const double fibers = volume_fraction * fiber_density;
+  return fibers / (fibers + (1 - volume_fraction) * matrix_density);
+}
+
+Population plan_population(const std::vector<FiberSpecies>& species, const ConcentrationRequest& request,
+                           std::uint64_t seed) {
+  require_species(species);
+  require_two(request);
+  if (request.cell_size) require_room(*request.cell_size, species);
+  const std::vector<std::int64_t> counts = counts_of(species, request);
+
+  Population population;
+  double volume = 0;
+  for (std::size_t s = 0; s < species.size(); ++s) {
+    population.materials.push_back(species[s].material);
+    for (const double length :
+         sample_lengths(species[s].length, static_cast<std::size_t>(counts[s]), seed + s)) {
+      population.fibers.push_back(
+          {length, rods_for(length, species[s].rod_length), static_cast<std::uint16_t>(s)});
+      volume += section(species[s]) * length;
+    }
+  }
+  population.cell_size = request.cell_size
+                             ? *request.cell_size
+                             : Vec3(Vec3::Constant(std::cbrt(volume / requested_fraction(species, request))));
+  require_room(population.cell_size, species);
+  population.volume_fraction = volume / population.cell_size.prod();
+  if (population.volume_fraction >= densest)
+    throw InputError(fmt::format("{} fibers fill {:.4g} of the cell", population.fibers.size(),
+                                 population.volume_fraction),
+                     fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest));
+  return population;
+}
+
+}  // namespace fiberfate
