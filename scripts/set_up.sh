@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Says what is being done and installs what is missing; sourced by ./demo, ./test and ./bench.
 
 # Prints a heading on a line of its own.
@@ -56,15 +57,20 @@ install_packages() {
     give_up "the packages could not be installed"
 }
 
-# Configures and builds a preset of CMakePresets.json: build_preset NAME [cmake options].
-build_preset() {
+# Configures a preset of CMakePresets.json, showing the log only when that fails: configure PRESET [cmake options].
+configure() {
   local preset=$1
   shift
-  cmake --preset "$preset" "$@" >"build/configure_$preset.log" 2>&1 || {
+  # Debian's Python packages belong to Debian's Python, whatever other Python comes first in PATH.
+  cmake --preset "$preset" -D Python3_EXECUTABLE=/usr/bin/python3 "$@" >"build/configure_$preset.log" 2>&1 || {
     cat "build/configure_$preset.log"
     return 1
   }
-  cmake --build --preset "$preset"
+}
+
+# Configures and builds a preset: build_preset PRESET [cmake options].
+build_preset() {
+  configure "$@" && cmake --build --preset "$1"
 }
 
 mkdir -p build
