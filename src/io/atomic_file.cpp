@@ -96,6 +96,16 @@ void rename_file(const std::string& from, const std::string& to) {
   sync_folder_of(to);
 }
 
+void copy_file(const std::string& from, const std::string& to) {
+  std::error_code reason;
+  std::filesystem::copy_file(from, to, reason);
+  if (reason) throw StorageError(fmt::format("cannot write {}: {}", to, reason.message()));
+}
+
+void cut_file(const std::string& path, std::size_t bytes) {
+  if (::truncate(path.c_str(), static_cast<off_t>(bytes)) != 0) throw storage_error("cannot cut", path);
+}
+
 void exchange_files(const std::string& first, const std::string& second) {
   // A second name keeps the first file alive while the other one takes its place: renaming alone, in two
   // steps, would leave a moment without it.

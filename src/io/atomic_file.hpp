@@ -1,6 +1,7 @@
 // Writes files so that a reader, a crash or a full disk never meets half of one.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -24,6 +25,12 @@ void sync_file(const std::string& path);
 
 /// Moves a file over another one (or to a free name) in one step; raises StorageError.
 void rename_file(const std::string& from, const std::string& to);
+
+/// Copies a file to a new one; raises StorageError.
+void copy_file(const std::string& from, const std::string& to);
+
+/// Cuts a file to its first bytes; raises StorageError.
+void cut_file(const std::string& path, std::size_t bytes);
 
 /// Lets two files of one folder change names; `first` names a whole file at any moment. Raises StorageError.
 void exchange_files(const std::string& first, const std::string& second);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
-#include <filesystem>
 #include <optional>
 
 namespace fiberfate {
@@ -32,7 +31,7 @@ std::int64_t keep_rows(const std::string& path, const std::string& header, std::
           fmt::format("cannot continue {}: it has {} rows where the checkpoint counts {}", path, row, kept));
     end = line_end + 1;
   }
-  if (end != text.size()) std::filesystem::resize_file(path, end);
+  if (end != text.size()) cut_file(path, end);
   return kept;
 }
 

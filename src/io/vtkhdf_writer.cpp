@@ -159,7 +159,7 @@ void VtkhdfWriter::prepare_next(const PolylineFrame& frame) {
     make_layout(file, frame);
     file.close();
   } else if (!std::filesystem::exists(next_)) {
-    std::filesystem::copy_file(path_, next_);
+    copy_file(path_, next_);
   } else if (latest_) {
     Hdf5File file = Hdf5File::open(next_, Hdf5File::Access::read_write);
     append_frame(file, *latest_);
