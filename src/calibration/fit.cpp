@@ -26,16 +26,15 @@ constexpr double rank_tolerance = 1e-7;
 constexpr double part_tolerance = 1e-3;
 constexpr double strong_correlation = 0.99;
 
-/// Draws the place of another start: anywhere within the bounds, or within a factor e (a size) of the initial
-/// one.
+/// Draws the place of another start: anywhere between the bounds; where one is open, one unit of the search
+/// away at most.
 std::vector<double> other_start(const FitCoordinates& coordinates, std::span<const double> first, int number,
                                 std::uint64_t seed) {
   std::vector<double> start(first.begin(), first.end());
   for (std::size_t i = 0; i < start.size(); ++i) {
-    const double low =
-        std::max(coordinates.lower()[i], first[i] - (std::isfinite(coordinates.lower()[i]) ? 1e9 : 1.0));
-    const double high =
-        std::min(coordinates.upper()[i], first[i] + (std::isfinite(coordinates.upper()[i]) ? 1e9 : 1.0));
+    const double lower = coordinates.lower()[i], upper = coordinates.upper()[i];
+    const double low = std::isfinite(lower) ? lower : first[i] - 1;
+    const double high = std::isfinite(upper) ? upper : first[i] + 1;
     const RandomCounter counter = {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(i)};
     start[i] = low + (high - low) * uniform(seed, RandomStream::noise, counter);
   }

@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #pragma GCC diagnostic push
@@ -12,6 +13,7 @@
 #include <ceres/cost_function.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
+#include <glog/logging.h>
 #pragma GCC diagnostic pop
 
 namespace fiberfate {
@@ -112,6 +114,12 @@ bool differentiate(const LeastSquares& problem, std::span<const double> position
 LeastSquaresMinimum minimise(const LeastSquares& problem, std::span<const double> start) {
   LeastSquaresMinimum minimum;
   minimum.position.assign(start.begin(), start.end());
+  std::vector<double> residuals(problem.residual_count);
+  if (!problem.residuals(start, residuals)) {
+    minimum.sum_of_squares = std::numeric_limits<double>::infinity();
+    minimum.message = "the model fails at the start";
+    return minimum;
+  }
   ceres::Problem ceres_problem;
   ceres_problem.AddResidualBlock(new DifferencedCost(problem), nullptr, minimum.position.data());
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -121,6 +129,8 @@ LeastSquaresMinimum minimise(const LeastSquares& problem, std::span<const double
     if (std::isfinite(problem.upper[i]))
       ceres_problem.SetParameterUpperBound(minimum.position.data(), index, problem.upper[i]);
   }
+  // A search that turns back from where the model fails is no error; Ceres would print each on the terminal.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options(problem), &ceres_problem, &summary);
   minimum.sum_of_squares = 2 * summary.final_cost;

@@ -1,0 +1,26 @@
+// Steps populations through histories.
+#include "continuum/length_prediction.hpp"
+
+#include <cassert>
+
+namespace fiberfate {
+
+void follow_lengths(const AttritionLaw& law, const LengthStart& start, const LengthConditions& conditions,
+                    std::span<const double> times, const std::function<void(const LengthSample&)>& visit) {
+  const auto flow_at = [&](const MeltState& melt) {
+    return LengthFlow{melt.rate, conditions.viscosity.at(melt), conditions.compression};
+  };
+  const std::unique_ptr<LengthEvolution> evolution = law.start(start);
+  double now = 0;
+  for (const double time : times) {
+    assert(time >= now);
+    for (const LengthHistoryPart& part : conditions.history.parts(now, time))
+      evolution->advance(flow_at(part.melt), part.duration);
+    now = time;
+    const MeltState melt = conditions.history.at(time);
+    const LengthFlow flow = flow_at(melt);
+    visit({time, melt, flow.viscosity, law.unbreakable_length(flow), *evolution});
+  }
+}
+
+}  // namespace fiberfate
