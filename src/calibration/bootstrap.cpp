@@ -33,7 +33,7 @@ std::vector<double> drawable_residuals(const std::vector<double>& observed,
   return residuals;
 }
 
-Interval percentile_interval(std::vector<double> values, double level) {
+ConfidenceInterval percentile_interval(std::vector<double> values, double level) {
   if (values.empty()) return {std::nan(""), std::nan("")};
   std::sort(values.begin(), values.end());
   const auto quantile = [&](double share) {

@@ -26,8 +26,8 @@ struct BootstrapOptions {
 struct Bootstrap {
   std::vector<std::vector<double>> values;  ///< [free parameter][sample], SI, of the samples that converged
   std::vector<double> standard_errors;
-  std::vector<Interval> intervals;  ///< between percentiles
-  int failed = 0;                   ///< samples that did not converge
+  std::vector<ConfidenceInterval> intervals;  ///< between percentiles
+  int failed = 0;                             ///< samples that did not converge
 };
 
 /// Repeats a fit with data made anew. Raises InputError without degrees of freedom, where there are no

@@ -21,7 +21,7 @@ struct FitOptions {
 };
 
 /// Holds an interval; an end that the data do not determine is infinite, one that cannot be told is NaN.
-struct Interval {
+struct ConfidenceInterval {
   double lower = 0;
   double upper = 0;
 };
@@ -41,7 +41,7 @@ struct ParameterEstimate {
   double value = 0;
   double standard_error =
       0;  ///< NaN when it cannot be told, infinite when the data do not determine the parameter
-  Interval
+  ConfidenceInterval
       interval;  ///< by linearisation, at FitOptions::level; symmetric in the logarithm of logarithmic ones
   ParameterOutcome outcome = ParameterOutcome::determined;
 };

@@ -13,8 +13,9 @@ namespace fiberfate {
 /// observation.
 struct PredictionBand {
   std::vector<double> predicted;
-  std::vector<Interval> curve;        ///< confidence band of the mean
-  std::vector<Interval> observation;  ///< prediction band: curve and noise of one observation together
+  std::vector<ConfidenceInterval> curve;  ///< confidence band of the mean
+  std::vector<ConfidenceInterval>
+      observation;  ///< prediction band: curve and noise of one observation together
 };
 
 /// Names what to predict: `count` numbers from all parameters (SI), each with the uncertainty that an

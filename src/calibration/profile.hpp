@@ -10,8 +10,9 @@ namespace fiberfate {
 
 /// Holds the profile of one parameter: the least chi^2 with the parameter held, over its value.
 struct Profile {
-  Interval interval;  ///< infinite or at the parameter's bound where the profile stays below the limit
-  double limit = 0;   ///< chi^2 at the ends of the interval
+  ConfidenceInterval
+      interval;      ///< infinite or at the parameter's bound where the profile stays below the limit
+  double limit = 0;  ///< chi^2 at the ends of the interval
   std::vector<double> values;  ///< where the profile was computed, rising, SI
   std::vector<double> chi_squares;
 };

@@ -102,7 +102,7 @@ std::vector<int> count_held(const Case& one, std::uint32_t repetitions) {
     const std::vector<std::size_t> searched = problem.free_parameters();
     for (std::size_t k = 0; k < searched.size(); ++k) {
       EXPECT_EQ(result.parameters[searched[k]].outcome, ParameterOutcome::determined) << one.law;
-      const Interval interval = result.parameters[searched[k]].interval;
+      const ConfidenceInterval interval = result.parameters[searched[k]].interval;
       held[k] += interval.lower <= one.truth[searched[k]] && one.truth[searched[k]] <= interval.upper ? 1 : 0;
     }
   }

@@ -233,7 +233,7 @@ TEST(ProfileTest, EqualsTheLinearIntervalOfALine) {
   const FitResult result = fit(problem);
   for (std::size_t i = 0; i < 2; ++i) {
     const Profile found = profile(problem, result, i);
-    const Interval linear = result.parameters[i].interval;
+    const ConfidenceInterval linear = result.parameters[i].interval;
     const double width = linear.upper - linear.lower;
     EXPECT_NEAR(found.interval.lower, linear.lower, 2e-4 * width);
     EXPECT_NEAR(found.interval.upper, linear.upper, 2e-4 * width);
@@ -260,7 +260,7 @@ TEST(ProfileTest, EndsWhereTheLeastSumOfSquaresReachesTheLimit) {
 
 TEST(ProfileTest, IsOpenWhereDataDoNotBound) {
   const FitProblem problem = product_problem();
-  const Interval open = profile(problem, fit(problem), 0).interval;
+  const ConfidenceInterval open = profile(problem, fit(problem), 0).interval;
   EXPECT_LT(open.lower, 1e-6);
   EXPECT_GT(open.upper, 1e6);
 }
@@ -334,7 +334,7 @@ TEST(Fit, IntervalsHoldTheTruthAsOftenAsTheySay) {
     std::vector<double> y;
     for (std::uint32_t i = 0; i < 8; ++i)
       y.push_back(1 + 2 * line_x[i] + 0.5 * normal2(11, RandomStream::noise, {repetition, i})[0]);
-    const Interval interval = fit(straight_line(line_x, y)).parameters[1].interval;
+    const ConfidenceInterval interval = fit(straight_line(line_x, y)).parameters[1].interval;
     held += interval.lower <= 2 && 2 <= interval.upper ? 1 : 0;
   }
   EXPECT_NEAR(held / 2000.0, 0.95, 0.02);
