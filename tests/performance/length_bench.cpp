@@ -36,8 +36,16 @@ void advance_phelps(benchmark::State& state, BreakageRate breakage_rate) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points));
 }
-BENCHMARK_CAPTURE(advance_phelps, phelps, BreakageRate::phelps)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(advance_phelps, durin, BreakageRate::durin)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(advance_phelps, phelps, BreakageRate::phelps)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(advance_phelps, durin, BreakageRate::durin)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond);
 
 void relax_stress_induced(benchmark::State& state) {
   use_threads(1);
