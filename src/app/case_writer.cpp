@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/case_file.hpp"
+#include "app/key_facts.hpp"
 #include "base/version.hpp"
 
 namespace fiberfate {
@@ -26,13 +27,13 @@ std::string comment(const std::string& text) {
 }
 
 std::string explanation(const Key& key) {
-  std::string text = key.notes.text;
-  const Units units{key.notes.unit, key.notes.friendly};
-  for (const auto& [name, meaning] : key.choices) text += fmt::format(" \"{}\": {}.", name, meaning);
-  const std::string range = describe_range(key.notes.range, units);
-  if (range != "any number") text += fmt::format(" Range: {}.", range);
-  if (!key.notes.source.empty()) text += fmt::format(" Source: {}.", key.notes.source);
-  return text;
+  const KeyFacts facts = key_facts(key);
+  std::string text = comment(key.notes.text);
+  for (const auto& [name, meaning] : key.choices) text += fmt::format("#   \"{}\": {}\n", name, meaning);
+  std::string bounds;
+  if (!facts.range.empty()) bounds = fmt::format("Range: {}. ", facts.range);
+  if (!facts.source.empty()) bounds += fmt::format("Source: {}.", facts.source);
+  return bounds.empty() ? text : text + comment(bounds);
 }
 
 /// Writes one key of an annotated file: commented out where it is at its default.
@@ -40,7 +41,7 @@ std::string annotated_key(const Key& key, const std::string& standard) {
   const std::string value = key.write(NumberStyle::friendly);
   const bool at_default = value == standard && !value.empty();
   const bool optional = key.notes.need == Need::optional;
-  std::string text = comment(explanation(key));
+  std::string text = explanation(key);
   if (value.empty())
     text += fmt::format("{}{} = {}\n", optional ? "# " : "", key.leaf(), key.notes.example);
   else

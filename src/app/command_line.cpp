@@ -32,7 +32,8 @@ A session:
   fiberfate check first/case.toml         validate it; see what it needs
   fiberfate run first/case.toml           run it into a result folder
   fiberfate report results/first          write a report that opens in any browser
-  fiberfate explain breakage.law          what a key means)";
+  fiberfate explain breakage.law          what a key means
+)";
 
 constexpr const char* statuses =
     "Exit status: 0 done, 2 bad input, 3 the simulation failed, 4 stopped by a signal after a checkpoint.";

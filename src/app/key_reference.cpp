@@ -9,10 +9,13 @@ namespace fiberfate {
 namespace {
 
 /// Keeps a text inside a cell of a table.
-std::string cell(std::string text) {
-  for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 2))
-    text.insert(at, "\\");
-  return text;
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (letter == '|') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
 }
 
 std::string code(const std::string& text) {

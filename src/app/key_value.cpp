@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,33 +13,57 @@
 namespace fiberfate {
 namespace {
 
-const std::string& shown_unit(const Units& units) {
-  return units.friendly.empty() ? units.si : units.friendly;
+constexpr std::array<const char*, 7> prefixes = {"n", "u", "m", "", "k", "M", "G"};
+constexpr int least_prefix = 3;  ///< thousands below one of the first prefix
+
+bool has_prefixes(const std::string& unit) {
+  return unit == "m" || unit == "s" || unit == "Pa" || unit == "m/s";
 }
 
 bool is_pure_number(const Units& units) {
-  return units.si == "1" && shown_unit(units) == "1";
+  return units.si == "1" && units.friendly.empty();
 }
 
-/// Finds the shortest number that, read in the shown unit, gives `value` back to the last digit or nearly so.
-double shown_number(double value, const Units& units) {
-  const double number = value / unit_factor(shown_unit(units), units.si);
+/// Chooses the unit to show a value in: the friendly one where there is one, else the SI unit with the prefix
+/// that leaves one to three digits before the point.
+std::string shown_unit(double value, const Units& units) {
+  if (!units.friendly.empty()) return units.friendly;
+  if (!has_prefixes(units.si) || value == 0) return units.si;
+  const auto thousands = static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-9));
+  const int limited =
+      std::clamp(thousands, -least_prefix, static_cast<int>(prefixes.size()) - 1 - least_prefix);
+  return prefixes[static_cast<std::size_t>(limited + least_prefix)] + units.si;
+}
+
+/// Finds the shortest number that, read in the unit, gives `value` back to the last digit.
+double shown_number(double value, const std::string& unit, const std::string& si) {
+  const double number = value / unit_factor(unit, si);
   for (int digits = 0; digits <= 16; ++digits) {
     const std::string text = fmt::format("{:.{}e}", number, digits);
-    if (quantity_in_si(text + ' ' + shown_unit(units), units.si) == value) return quantity_in_si(text, "1");
+    if (quantity_in_si(text + ' ' + unit, si) == value) return quantity_in_si(text, "1");
   }
   return number;
 }
 
 std::string with_unit(double value, const Units& units) {
   if (is_pure_number(units)) return fmt::format("{}", value);
-  return fmt::format("{} {}", shown_number(value, units), shown_unit(units));
+  const std::string unit = shown_unit(value, units);
+  return fmt::format("{} {}", shown_number(value, unit, units.si), unit);
+}
+
+/// Writes a bound of a range: in the best unit, and zero without any.
+std::string bound(double value, const Units& units) {
+  if (value == 0) return "0";
+  if (is_pure_number(units) || units.friendly == "%") return with_unit(value, units);
+  if (std::abs(value) < 1e5 || units.si == "Pa") return with_unit(value, {units.si, ""});
+  return fmt::format("{:g} {}", value, units.si);
 }
 
 std::string how_to_write(const Units& units) {
   if (is_pure_number(units)) return "give a number";
-  if (units.si == "1") return fmt::format("give a number, or a text such as \"10 {}\"", shown_unit(units));
-  return fmt::format("give a number with a unit in quotes, such as \"1 {}\"", shown_unit(units));
+  if (units.si == "1") return fmt::format("give a number, or a text such as \"10 {}\"", units.friendly);
+  return fmt::format("give a number with a unit in quotes, such as \"1 {}\"",
+                     units.friendly.empty() ? units.si : units.friendly);
 }
 
 /// A bare number that is out of range has often been meant in another unit.
@@ -58,7 +84,7 @@ std::string describe_range(const Range& range, const Units& units) {
   const bool has_low = std::isfinite(range.low), has_high = std::isfinite(range.high);
   const bool open_low = range.ends == Range::Ends::open_low || range.ends == Range::Ends::open;
   const bool open_high = range.ends == Range::Ends::open_high || range.ends == Range::Ends::open;
-  const auto show = [&units](double value) { return with_unit(value, units); };
+  const auto show = [&units](double value) { return bound(value, units); };
   if (!has_low && !has_high) return "any number";
   if (has_low && has_high && !open_low && !open_high)
     return fmt::format("{} to {}", show(range.low), show(range.high));

@@ -128,7 +128,8 @@ std::string unreadable_remedy(const std::string& path) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   const std::string_view nearest = nearest_word(fs::path(path).filename().string(), names);
-  if (!nearest.empty()) return fmt::format("did you mean '{}'?", (folder / nearest).lexically_normal().string());
+  if (!nearest.empty())
+    return fmt::format("did you mean '{}'?", (folder / nearest).lexically_normal().string());
   return "check the path, or make a case with 'fiberfate new shear_cell'";
 }
 
@@ -213,8 +214,8 @@ void TomlDocument::override_with(const std::string& assignment) {
 }
 
 const TomlEntry* TomlDocument::find(std::string_view key) const {
-  const auto found =
-      std::find_if(entries_.begin(), entries_.end(), [key](const TomlEntry& entry) { return entry.key == key; });
+  const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                  [key](const TomlEntry& entry) { return entry.key == key; });
   return found == entries_.end() ? nullptr : &*found;
 }
 

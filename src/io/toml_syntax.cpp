@@ -45,12 +45,25 @@ void explain_duplicate(InputProblem& problem, const std::string& message, const 
   problem.remedy = table ? "put all its keys under one heading" : "keep one of the two";
 }
 
+/// Explains a key that lacks its value; tells whether it was one.
+bool explain_missing_value(InputProblem& problem, const std::string& line) {
+  static const std::regex bare(R"(^\s*([A-Za-z0-9_.\-]+)\s*=\s*(#.*)?$)");
+  std::smatch match;
+  if (!std::regex_match(line, match, bare)) return false;
+  problem.key = match[1];
+  problem.complaint = "has no value";
+  problem.remedy = "write one behind '=', or put # before the line";
+  return true;
+}
+
 /// Explains a value that lacks its quotes, the commonest slip; tells whether it was one.
 bool explain_missing_quotes(InputProblem& problem, const std::string& line) {
-  static const std::regex unquoted(R"(^\s*([A-Za-z0-9_.\-]+)\s*=\s*([^"'\[\]{}#=]*[^"'\[\]{}#=\s])\s*(#.*)?$)");
+  static const std::regex unquoted(
+      R"(^\s*([A-Za-z0-9_.\-]+)\s*=\s*([^"'\[\]{}#=]*[^"'\[\]{}#=\s])\s*(#.*)?$)");
+  static const std::regex incomplete(R"(^[+\-]?(\.\d+|\d+\.)$)");
   static const std::regex decimal_comma(R"(^[+\-]?\d+,\d+(\s.*)?$)");
   std::smatch match;
-  if (!std::regex_match(line, match, unquoted)) return false;
+  if (!std::regex_match(line, match, unquoted) || std::regex_match(match[2].str(), incomplete)) return false;
   const std::string key = match[1], value = match[2];
   problem.column = static_cast<int>(match.position(2)) + 1;
   problem.key = key;
@@ -60,7 +73,8 @@ bool explain_missing_quotes(InputProblem& problem, const std::string& line) {
     number.replace(number.find(','), 1, ".");
     const bool bare = number.find(' ') == std::string::npos;
     problem.complaint = "a number has a decimal comma";
-    problem.remedy = bare ? fmt::format("write {} = {}", key, number) : fmt::format("write {} = \"{}\"", key, number);
+    problem.remedy =
+        bare ? fmt::format("write {} = {}", key, number) : fmt::format("write {} = \"{}\"", key, number);
   } else {
     problem.complaint = "the value is not in quotes";
     problem.remedy = fmt::format("write {} = \"{}\"", key, value);
@@ -75,6 +89,7 @@ struct Advice {
 };
 
 constexpr std::array advices = {
+    Advice{"utf8", "the file holds bytes that are not UTF-8", "save it as UTF-8 text"},
     Advice{"parse_basic_string", "a text does not end, or holds an unknown escape",
            "close it with \" in the same line, and write \\\\ for a backslash"},
     Advice{"parse_literal_string", "a text does not end", "close it with ' in the same line"},
@@ -85,8 +100,8 @@ constexpr std::array advices = {
            "separate its keys by commas and close it with } in the same line"},
     Advice{"missing key-value separator", "a line has no '='", "write key = value"},
     Advice{"empty key", "a key is missing before '='", "write key = value"},
-    Advice{"parse_key", "this is not a key or a [table]", "use letters, digits, _ and -, and close a table with ]"},
-    Advice{"utf8", "the file holds bytes that are not UTF-8", "save it as UTF-8 text"},
+    Advice{"parse_key", "this is not a key or a [table]",
+           "use letters, digits, _ and -, and close a table with ]"},
     Advice{"bad float", "a number is incomplete", "write digits on both sides of the point, 0.5 or 5.0"},
     Advice{"expected newline", "something follows the value", "put one key = value in a line"},
 };
@@ -124,7 +139,8 @@ InputProblem syntax_problem(const std::string& library_message, const std::strin
     problem.column = places.front().column;
   }
   const auto index = static_cast<std::size_t>(problem.line) - 1;
-  if (problem.line > 0 && index < lines.size() && !open_ended && explain_missing_quotes(problem, lines[index]))
+  if (problem.line > 0 && index < lines.size() && !open_ended &&
+      (explain_missing_value(problem, lines[index]) || explain_missing_quotes(problem, lines[index])))
     return problem;
   explain_by_fragment(problem, library_message);
   return problem;

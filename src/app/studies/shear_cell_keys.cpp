@@ -100,7 +100,6 @@ void describe_breakage(KeyTable& table, BreakageParameters& breakage) {
   table.quantity("breakage.check_interval", breakage.check_interval,
                  {.text = "Simulated time between two checks, whatever the time step.",
                   .unit = "s",
-                  .friendly = "ms",
                   .range = Range::positive()});
 }
 
