@@ -251,7 +251,9 @@ void Minimiser::finish() {
   for (std::size_t f = 0; f < chains_.rod_length.size(); ++f) {
     const std::size_t begin = chains_.begin_node(f), end = chains_.end_node(f);
     constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[f]);
-    constraints.restore_lengths(&chains_.position[begin], 4);
+    constraints.restore_lengths(&chains_.position[begin], 3);
+    constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[f]);
+    constraints.restore_lengths(&chains_.position[begin], 3);
   }
 }
 

@@ -17,21 +17,25 @@
 namespace fiberfate {
 namespace {
 
-// Stages (docs/theory/packing.md gives the reasons and what other values reach). Lengths in thickest
-// diameters.
-constexpr double spread_swelling =
-    3.5;  // fibers repel each other at this many times their diameter while straight
-constexpr double spread_stiffness = 0.01;  // softly, so that they pass through one another
-constexpr int spread_steps = 400;
+// Stages; docs/theory/packing.md gives the reasons and what other values reach. Lengths are in thickest
+// diameters D, stiffness in units of the contact stiffness k, bending stiffness B of the stiffest fiber in k
+// D³.
+constexpr double spread_swelling = 4;      // fibers repel each other from this many diameters
+constexpr double spread_stiffness = 0.01;  // so softly that they pass through one another
+constexpr double spread_bending = 70;      // and stay nearly straight
+constexpr double spread_rod = 9;           // long rods do while fibers spread: fewer of them
+constexpr Index spread_rods = 4;           // but at least this many a fiber
+constexpr int spread_steps = 200;
 constexpr double straight_limit = 5;  // straight fibers fit below a volume fraction of about 5 D / L
 constexpr int straight_steps = 2000;
-constexpr double first_bending = 0.05;  // E I / l³ in units of contact stiffness where bending begins
+constexpr double first_bending =
+    7;  // glass of 19 um under the default contact law: bending begins as in nature
 constexpr double bending_decay = 0.1;
-constexpr double least_bending = 1e-6;
+constexpr double least_bending = 1e-4;
 constexpr int bending_steps = 100;
 constexpr double barrier_stiffness = 0.5;
-constexpr double barrier_share = 0.55;  // of the mean radius of curvature: the radius first aimed at
-constexpr double barrier_decay = 0.97;  // by which the aim is lowered when fibers still overlap
+constexpr double barrier_share = 0.5;   // of the mean radius of curvature: the smallest radius first aimed at
+constexpr double barrier_decay = 0.97;  // by which the aim is lowered while fibers still overlap
 constexpr int barrier_steps = 60;
 constexpr double orientation_stiffness = 20;
 constexpr int report_interval = 20;
@@ -51,7 +55,12 @@ class Packer {
     double radius = 0;  ///< m
   };
   void place_straight();
-  [[nodiscard]] Chains subdivide() const;
+  /// Cuts the fibers in other numbers of rods; a smooth curve through the old nodes is followed.
+  [[nodiscard]] Chains divide(const Chains& chains,
+                              const std::function<Index(const FiberBlank&)>& rods_of) const;
+  [[nodiscard]] Index spread_rods_of(const FiberBlank& fiber) const;
+  void spread(Chains& chains);
+  [[nodiscard]] bool part_straight();
   [[nodiscard]] bool may_stay_straight() const;
   /// Makes steps until the goal is met or `steps` are made; tells whether it was.
   bool relax(Minimiser& minimiser, const PackingEnergy& energy, int steps, const Goal& goal);
@@ -102,6 +111,24 @@ Cell scaled(Cell cell, double unit) {
   return cell;
 }
 
+/// Point at share x of a fiber's length on the Catmull-Rom spline through its nodes, continued straight at
+/// the ends.
+Vec3 point_on(const Chains& chains, std::size_t fiber, double x) {
+  const auto begin = static_cast<std::ptrdiff_t>(chains.begin_node(fiber));
+  const auto last = static_cast<std::ptrdiff_t>(chains.end_node(fiber)) - 1;
+  const auto node = [&](std::ptrdiff_t k) -> Vec3 {
+    const auto at = [&](std::ptrdiff_t i) { return chains.position[static_cast<std::size_t>(i)]; };
+    if (k < begin) return 2 * at(begin) - at(begin + 1);
+    if (k > last) return 2 * at(last) - at(last - 1);
+    return at(k);
+  };
+  const double place = x * static_cast<double>(last - begin);
+  const std::ptrdiff_t k = std::min(begin + static_cast<std::ptrdiff_t>(place), last - 1);
+  const double t = place - static_cast<double>(k - begin);
+  const Vec3 a = node(k - 1), b = node(k), c = node(k + 1), d = node(k + 2);
+  return b + 0.5 * t * ((c - a) + t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * b - a - 3 * c + d)));
+}
+
 void Packer::place_straight() {
   std::vector<double> lengths;
   for (const FiberBlank& fiber : request_.fibers) {
@@ -127,25 +154,31 @@ void Packer::place_straight() {
   }
 }
 
-Chains Packer::subdivide() const {
-  Chains chains;
-  chains.cell = straight_.cell;
-  chains.radius = straight_.radius;
+Index Packer::spread_rods_of(const FiberBlank& fiber) const {
+  const Index wanted = static_cast<Index>(std::lround(fiber.length / unit_ / spread_rod));
+  return std::min(fiber.rods, std::max(wanted, spread_rods));
+}
+
+Chains Packer::divide(const Chains& chains, const std::function<Index(const FiberBlank&)>& rods_of) const {
+  Chains divided;
+  divided.cell = chains.cell;
+  divided.radius = chains.radius;
   double stiffest = 0;
+  for (const FiberMaterial& material : request_.materials)
+    stiffest = std::max(stiffest, material.bending_stiffness());
   for (std::size_t f = 0; f < request_.fibers.size(); ++f) {
     const FiberBlank& fiber = request_.fibers[f];
-    const Vec3 begin = straight_.position[2 * f], end = straight_.position[2 * f + 1];
-    for (Index k = 0; k <= fiber.rods; ++k)
-      chains.position.push_back(begin + (end - begin) * (static_cast<double>(k) / fiber.rods));
-    chains.first_node.push_back(static_cast<Index>(chains.position.size()));
-    chains.rod_length.push_back(fiber.length / unit_ / fiber.rods);
+    const Index rods = rods_of(fiber);
+    for (Index k = 0; k <= rods; ++k)
+      divided.position.push_back(point_on(chains, f, static_cast<double>(k) / rods));
+    divided.first_node.push_back(static_cast<Index>(divided.position.size()));
+    const double length = fiber.length / unit_ / rods;
+    divided.rod_length.push_back(length);
     const double stiffness = request_.materials[fiber.material_id].bending_stiffness();
-    chains.bending_stiffness.push_back((stiffness > 0 ? stiffness : 1) /
-                                       std::pow(fiber.length / fiber.rods, 3));
-    stiffest = std::max(stiffest, chains.bending_stiffness.back());
+    divided.bending_stiffness.push_back((stiffest > 0 ? stiffness / stiffest : 1) /
+                                        (length * length * length));
   }
-  for (double& stiffness : chains.bending_stiffness) stiffness /= stiffest;
-  return chains;
+  return divided;
 }
 
 bool Packer::may_stay_straight() const {
@@ -201,6 +234,7 @@ void Packer::give_up(const PackingMeasure& reached) const {
 
 void Packer::bend(Chains& chains) {
   Minimiser minimiser(chains, target_);
+  minimiser.finish();
   PackingEnergy energy;
   energy.orientation = orientation_stiffness;
   energy.barrier = barrier_stiffness;
@@ -243,24 +277,35 @@ FiberState Packer::state_of(const Chains& chains) const {
   return state;
 }
 
-FiberState Packer::pack() {
-  place_straight();
-  Minimiser minimiser(straight_, target_);
+void Packer::spread(Chains& chains) {
+  Minimiser minimiser(chains, target_);
   PackingEnergy energy;
   energy.orientation = orientation_stiffness;
+  energy.bending = spread_bending;
   energy.repulsion.swelling = spread_swelling;
   energy.repulsion.stiffness = spread_stiffness;
   stage_ = "spread";
   relax(minimiser, energy, spread_steps, {-1, 0});
-  if (may_stay_straight()) {
-    stage_ = "part";
-    energy.repulsion = RepulsionLaw{};
-    if (relax(minimiser, energy, straight_steps, {request_.overlap_tolerance, 0})) {
-      minimiser.finish();
-      return state_of(subdivide());
-    }
-  }
-  Chains chains = subdivide();
+}
+
+bool Packer::part_straight() {
+  spread(straight_);
+  Minimiser minimiser(straight_, target_);
+  PackingEnergy energy;
+  energy.orientation = orientation_stiffness;
+  stage_ = "part";
+  const bool parted = relax(minimiser, energy, straight_steps, {request_.overlap_tolerance, 0});
+  minimiser.finish();
+  return parted;
+}
+
+FiberState Packer::pack() {
+  const auto final_rods = [](const FiberBlank& fiber) { return fiber.rods; };
+  place_straight();
+  if (may_stay_straight() && part_straight()) return state_of(divide(straight_, final_rods));
+  Chains coarse = divide(straight_, [this](const FiberBlank& fiber) { return spread_rods_of(fiber); });
+  spread(coarse);
+  Chains chains = divide(coarse, final_rods);
   bend(chains);
   return state_of(chains);
 }
