@@ -20,10 +20,10 @@ struct Load {
 
 std::vector<Vec3> solve(const FiberState& state, const std::vector<Load>& forces, double step) {
   RodLoads loads;
-  std::vector<Index> rods;
+  std::vector<RodLoads::Claim> claims;
   std::vector<Index> slots;
-  for (const Load& load : forces) rods.push_back(load.rod);
-  loads.arrange(state.node_count(), rods, slots);
+  for (const Load& load : forces) claims.push_back({load.rod, claims.size()});
+  loads.arrange(state.node_count(), claims, slots);
   for (std::size_t i = 0; i < forces.size(); ++i)
     loads.slot(slots[i]) = {forces[i].lever, forces[i].force, {}};
   const auto drag = unit_drag_of_rods(state, DragLaw::beads);

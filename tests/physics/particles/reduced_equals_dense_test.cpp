@@ -80,10 +80,10 @@ Problem random_problem(RandomSource& random, int rods) {
 
 RodLoads loads_of(const Problem& problem) {
   RodLoads loads;
-  std::vector<Index> rods;
+  std::vector<RodLoads::Claim> claims;
   std::vector<Index> slots;
-  for (const auto& [rod, load] : problem.loads) rods.push_back(rod);
-  loads.arrange(problem.state.node_count(), rods, slots);
+  for (const auto& [rod, load] : problem.loads) claims.push_back({rod, claims.size()});
+  loads.arrange(problem.state.node_count(), claims, slots);
   for (std::size_t i = 0; i < slots.size(); ++i) loads.slot(slots[i]) = problem.loads[i].second;
   return loads;
 }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace fiberfate {
 namespace {
@@ -16,6 +18,24 @@ TEST(Random, IsAFunctionOfSeedStreamAndCounter) {
   EXPECT_NE(value, uniform(1, RandomStream::breakage, {3, 3, 4}));
   EXPECT_NE(value, uniform(1, RandomStream::breakage, {2, 4, 4}));
   EXPECT_NE(value, uniform(1, RandomStream::breakage, {2, 3, 5}));
+}
+
+/// Turns four 32-bit words into the numbers that uniform4 makes of them, the midpoints of 2³² equal
+/// intervals.
+std::array<double, 4> midpoints(std::array<std::uint32_t, 4> words) {
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < 4; ++i) numbers[i] = (words[i] + 0.5) / 4294967296.0;
+  return numbers;
+}
+
+// Known answers of Philox4x32-10, from the reference implementation's own test (Random123, kat_vectors).
+TEST(Random, IsPhilox) {
+  EXPECT_EQ(uniform4(0, RandomStream(0), {0, 0, 0}),
+            midpoints({0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8}));
+  EXPECT_EQ(uniform4(0xffffffffffffffff, RandomStream(0xffffffff), {0xffffffff, 0xffffffff, 0xffffffff}),
+            midpoints({0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
+  EXPECT_EQ(uniform4(0x299f31d0a4093822, RandomStream(0x03707344), {0x243f6a88, 0x85a308d3, 0x13198a2e}),
+            midpoints({0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
 TEST(Random, UniformHasTheMomentsOfTheUnitInterval) {

@@ -1,0 +1,122 @@
+// The contact of two fibers creates neither momentum nor angular momentum.
+#include <gtest/gtest.h>
+
+#include "dynamics/chain_solver.hpp"
+#include "dynamics/contact_loads.hpp"
+#include "scenes.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Two bent fibers that overlap by a tenth of a radius, off their middles, in a fluid at rest.
+FiberState overlapping_fibers() {
+  FiberState state = scenes::empty_cell(2e-3);
+  const std::vector<Vec3> first = {{-2e-4, 1e-5, 0}, {-1e-4, 0, 0}, {1e-4, 0, 0}, {2.2e-4, 3e-5, 0}};
+  std::vector<Vec3> second = {{3e-5, -1e-4, 0}, {5e-5, 0, 0}, {5e-5, 1.5e-4, 2e-5}};
+  for (Vec3& node : second) node += Vec3(0, -3e-5, 1.9 * scenes::glass.radius);
+  append_fiber(state, {.nodes = first, .material_id = 0});
+  append_fiber(state, {.nodes = second, .material_id = 0});
+  return state;
+}
+
+/// Sums of the drag on all rods: force, and torque about the origin.
+struct Wrench {
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+  double force_scale = 0;
+  double torque_scale = 0;
+};
+
+/// Evaluates the drag of beads on every rod from the velocities w of a fluid at rest: −m zeta w(c) at the
+/// centre, and −(zeta S2 + m zeta_r) p × (w_{i+1} − w_i)/l.
+Wrench drag_of(const FiberState& state, const std::vector<Vec3>& position) {
+  Wrench sum;
+  const auto drag = unit_drag_of_rods(state, DragLaw::beads);
+  for (Index f = 0; f < state.fiber_count(); ++f) {
+    for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k) {
+      const auto n = std::size_t(k);
+      const Vec3& before = state.relative_velocity[n];
+      const Vec3& after = state.relative_velocity[n + 1];
+      const Vec3 axis = position[n + 1] - position[n];
+      const Vec3 force = -scenes::melt_viscosity * drag[n].perpendicular * 0.5 * (before + after);
+      const Vec3 couple =
+          -scenes::melt_viscosity * drag[n].rotational * axis.cross(after - before) / axis.squaredNorm();
+      const Vec3 torque = couple + (position[n] + 0.5 * axis).cross(force);
+      sum.force += force;
+      sum.torque += torque;
+      sum.force_scale += force.norm();
+      sum.torque_scale += couple.norm() + axis.norm() * force.norm();
+    }
+  }
+  return sum;
+}
+
+FiberState stepped(const FiberState& start, double friction) {
+  DynamicsParameters parameters = scenes::fixed_step(1e-12);
+  parameters.contact.friction = friction;
+  parameters.contact.slip_velocity = 1e-4;
+  parameters.contact.sweeps = 200;
+  Simulation simulation(parameters, FlowHistory::constant(0, scenes::melt_viscosity), start);
+  for (int i = 0; i < 5; ++i) simulation.advance(1);
+  return simulation.state();
+}
+
+// Without inertia, momentum balance means that the drag on both fibers sums to zero. Action equals reaction
+// once the sweeps have converged (each side is implicit in its own velocity only); the rest is round-off.
+TEST(ContactMomentum, BalancesWithoutFriction) {
+  const FiberState start = overlapping_fibers();
+  const Wrench sum = drag_of(stepped(start, 0), start.position);
+  EXPECT_GT(sum.force_scale, 1e-3);
+  EXPECT_LT(sum.force.norm(), 1e-11 * sum.force_scale);
+  EXPECT_LT(sum.torque.norm(), 1e-11 * sum.torque_scale);
+}
+
+// Friction acts on the axes, a distance d apart, and not at the skins where they touch: equal and opposite
+// forces whose couple d n × F_T is not balanced by torques on the rods (they would spin the rods about their
+// axes, which the model leaves free). Momentum is conserved; the couple is of the order of radius over
+// length.
+TEST(ContactMomentum, BalancesWithFrictionUpToItsCouple) {
+  const FiberState start = overlapping_fibers();
+  const Wrench sum = drag_of(stepped(start, 0.3), start.position);
+  EXPECT_LT(sum.force.norm(), 1e-11 * sum.force_scale);
+  EXPECT_LT(sum.torque.norm(), 2 * scenes::glass.radius * 0.3 * sum.force_scale);
+}
+
+// The loads themselves: at the velocities about which they are linearised, action equals reaction bit by bit.
+TEST(ContactMomentum, ActionEqualsReaction) {
+  FiberState state = overlapping_fibers();
+  for (std::size_t k = 0; k < state.position.size(); ++k)
+    state.relative_velocity[k] =
+        1e-4 * Vec3(std::sin(3. * double(k)), std::cos(2. * double(k)), 0.3 * double(k));
+  ContactParameters parameters;
+  ContactLoads loads(parameters, state);
+  const Segment first{state.position[1], state.position[2]};
+  const Segment second{state.position[5], state.position[6]};
+  const auto closest = closest_points(first, second);
+  Contact contact;
+  contact.first = 1;
+  contact.second = 5;
+  contact.s = closest.s;
+  contact.t = closest.t;
+  contact.normal = closest.separation / closest.distance;
+  contact.distance = closest.distance;
+  const std::vector<Contact> contacts = {contact};
+  loads.arrange(contacts, state);
+  loads.evaluate(contacts, {state.relative_velocity, simple_shear(10, 200), 1e-5});
+  const auto force = [&](Index rod) -> Vec3 {
+    const RodLoad& load = loads.loads().of_rod(rod)[0];
+    const auto n = std::size_t(rod);
+    const Vec3 w =
+        (1 - load.lever) * state.relative_velocity[n] + load.lever * state.relative_velocity[n + 1];
+    const auto& r = load.resistance;
+    return load.force - Vec3(r[0] * w.x() + r[5] * w.y() + r[4] * w.z(),
+                             r[5] * w.x() + r[1] * w.y() + r[3] * w.z(),
+                             r[4] * w.x() + r[3] * w.y() + r[2] * w.z());
+  };
+  const double scale = loads.loads().of_rod(1)[0].force.norm();
+  EXPECT_GT(force(1).norm(), 1e-3);
+  EXPECT_LT((force(1) + force(5)).norm(), 1e-14 * scale);
+}
+
+}  // namespace
+}  // namespace fiberfate

@@ -1,0 +1,46 @@
+// A simulation made from a state in mid-run continues as if it had never stopped, bit by bit.
+#include <gtest/gtest.h>
+
+#include "bitwise_state.hpp"
+#include "scenes.hpp"
+
+namespace fiberfate {
+namespace {
+
+DynamicsParameters with_breakage(BreakageLaw law) {
+  DynamicsParameters parameters;
+  parameters.breakage.law = law;
+  parameters.breakage.critical_radius = 1e-3;
+  parameters.breakage.maximum_radius = 2e-3;
+  parameters.breakage.check_interval = 3e-4;
+  return parameters;
+}
+
+class RestartInvariance : public testing::TestWithParam<BreakageLaw> {};
+
+TEST_P(RestartInvariance, FromAnyStep) {
+  const FiberState start = scenes::scatter(scenes::soft_fibers());
+  const FlowHistory flow({{1e-3, 40, 500}, {2.5e-3, 120, 300}, {1e9, 80, 400}});
+  const DynamicsParameters parameters = with_breakage(GetParam());
+  Simulation whole(parameters, flow, start);
+  std::vector<FiberState> saved;
+  const double end = 4e-3;
+  while (whole.state().time < end) {
+    whole.advance(end);
+    if (whole.state().step % 17 == 3) saved.push_back(whole.state());
+  }
+  EXPECT_GT(whole.state().breaks, 5);
+  ASSERT_GT(saved.size(), 2u);
+  for (const FiberState& state : saved) {
+    Simulation resumed(parameters, flow, state);
+    scenes::run_until(resumed, end);
+    expect_bitwise_equal(whole.state(), resumed.state());
+    if (HasFailure()) FAIL() << "resumed at step " << state.step << " of " << whole.state().step;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Laws, RestartInvariance,
+                         testing::Values(BreakageLaw::fixed, BreakageLaw::probability,
+                                         BreakageLaw::strength));
+
+}  // namespace
+}  // namespace fiberfate
