@@ -37,8 +37,8 @@ FIBERFATE_INLINE bool needs_frame(const OrientationModel& model) {
 
 /// rate R diag(d1, d2, d3) Rᵀ. At equal principal values of A the axes are those of D; where D has none
 /// either, the mean of the constants keeps the answer independent of the frame of computation.
-FIBERFATE_INLINE Symmetric along_axes(const Frame& frame, const LocalFlow& flow, double d1, double d2,
-                                      double d3) {
+FIBERFATE_OUT_OF_LINE Symmetric along_axes(const Frame& frame, const LocalFlow& flow, double d1, double d2,
+                                           double d3) {
   Pack strain[3];
   const Frame axes = guided_frame(frame, flow.strain, strain);
   const EqualPairs same = equal_pairs(frame.value, broadcast(equal_values));
@@ -108,8 +108,8 @@ FIBERFATE_INLINE Symmetric retard(const OrientationModel& model, const Symmetric
 
 /// DA/Dt = W·A - A·W + xi (D·A + A·D - 2 A4:D) + rate [2 C - 2 tr C A - 5 (C·A + A·C) + 10 A4:C]
 ///         + 2 rate U_0 (A·A - A4:A), retarded. With G = xi D - 5 rate C all of A4 is one contraction.
-FIBERFATE_INLINE Symmetric orientation_rate(const OrientationModel& model, const Symmetric& a,
-                                            const Pack (&l)[9]) {
+FIBERFATE_OUT_OF_LINE Symmetric orientation_rate(const OrientationModel& model, const Symmetric& a,
+                                                 const Pack (&l)[9]) {
   const LocalFlow flow = split_gradient(l);
   Frame frame{};
   if (needs_frame(model)) frame = find_frame(a);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -36,9 +37,20 @@ const OrientationChoice<Choice>& description(const std::vector<OrientationChoice
   return *std::ranges::find(all, choice, &OrientationChoice<Choice>::choice);
 }
 
+/// Symbols are the same whatever their capitals and underscores: C_I, c_i and CI.
+bool same_symbol(std::string_view left, std::string_view right) {
+  const auto plain = [](std::string_view symbol) {
+    std::string letters;
+    for (const char letter : symbol)
+      if (letter != '_') letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    return letters;
+  };
+  return plain(left) == plain(right);
+}
+
 /// Names the constants that a model reads.
 std::vector<std::string> constants_of(const OrientationModel& model) {
-  std::vector<std::string> names = {"xi", "u0"};
+  std::vector<std::string> names = {"xi", "U0"};
   for (const auto& one : description(rotary_diffusions(), model.diffusion).constants) names.push_back(one);
   for (const auto& one : description(retardations(), model.retardation).constants) names.push_back(one);
   return names;
@@ -61,17 +73,17 @@ const std::vector<OrientationConstant>& orientation_constants() {
   static const std::vector<OrientationConstant> all = {
       {{"xi", "1", "Shape factor (r²-1)/(r²+1) of fibers of aspect ratio r; 1 for slender ones.", 1, -1, 1},
        &Constants::xi},
-      {{"c_i", "1", "Interaction coefficient C_I: strength of rotary diffusion.", 0, 0, unbounded},
+      {{"C_I", "1", "Interaction coefficient C_I: strength of rotary diffusion.", 0, 0, unbounded},
        &Constants::c_i},
-      {{"c_m", "1", "Fiber-matrix interaction C_M: how much diffusion is suppressed along the flow.", 0, 0,
+      {{"C_M", "1", "Fiber-matrix interaction C_M: how much diffusion is suppressed along the flow.", 0, 0,
         1},
        &Constants::c_m},
-      {{"omega", "1", "Share of diffusion along the second principal axis.", 1, 0, 1}, &Constants::omega},
-      {{"d1", "1", "Diffusion along the first principal axis, in units of C_I.", 1, 0, unbounded},
+      {{"Omega", "1", "Share of diffusion along the second principal axis.", 1, 0, 1}, &Constants::omega},
+      {{"D1", "1", "Diffusion along the first principal axis, in units of C_I.", 1, 0, unbounded},
        &Constants::d1},
-      {{"d2", "1", "Diffusion along the second principal axis, in units of C_I.", 0, 0, unbounded},
+      {{"D2", "1", "Diffusion along the second principal axis, in units of C_I.", 0, 0, unbounded},
        &Constants::d2},
-      {{"d3", "1", "Diffusion along the third principal axis, in units of C_I.", 0, 0, unbounded},
+      {{"D3", "1", "Diffusion along the third principal axis, in units of C_I.", 0, 0, unbounded},
        &Constants::d3},
       {{"b1", "1", "Isotropic diffusion.", 0, -unbounded, unbounded}, &Constants::b1},
       {{"b2", "1", "Diffusion along A.", 0, -unbounded, unbounded}, &Constants::b2},
@@ -83,7 +95,7 @@ const std::vector<OrientationConstant>& orientation_constants() {
        &Constants::alpha},
       {{"beta", "s", "Tunes the retardation by products of the rates.", 0, 0, unbounded}, &Constants::beta},
       {{"srf", "1", "Factor on the whole rate.", 1, 0, 1}, &Constants::srf},
-      {{"u0", "1", "Maier-Saupe potential; stable below 8 C_I.", 0, -unbounded, unbounded}, &Constants::u0}};
+      {{"U0", "1", "Maier-Saupe potential; stable below 8 C_I.", 0, -unbounded, unbounded}, &Constants::u0}};
   return all;
 }
 
@@ -94,7 +106,7 @@ const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions() {
        "folgar_tucker",
        "C = C_I I.",
        "Folgar, Tucker, J. Reinf. Plast. Compos. 3, 98 (1984)",
-       {"c_i"}},
+       {"C_I"}},
       {RotaryDiffusion::ard,
        "ard",
        "C = b1 I + b2 A + b3 A² + b4 D/rate + b5 D²/rate².",
@@ -105,17 +117,17 @@ const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions() {
        "C = C_I (I - C_M D²/|D²|), |X| = sqrt(X:X/2); indefinite in uniaxial flow for "
        "C_M > 3/4.",
        "Tseng, Chang, Hsu, J. Rheol. 60, 215 (2016)",
-       {"c_i", "c_m"}},
+       {"C_I", "C_M"}},
       {RotaryDiffusion::pard,
        "pard",
        "C = C_I R diag(1, Omega, 1 - Omega) Rᵀ in the axes of A.",
        "Tseng, Chang, Hsu, J. Rheol. 62, 313 (2018)",
-       {"c_i", "omega"}},
+       {"C_I", "Omega"}},
       {RotaryDiffusion::mrd,
        "mrd",
        "C = C_I R diag(D1, D2, D3) Rᵀ in the axes of A.",
        "Bakharev, Yu, Speight, Wang, ANTEC (2018)",
-       {"c_i", "d1", "d2", "d3"}},
+       {"C_I", "D1", "D2", "D3"}},
       {RotaryDiffusion::wpt,
        "wpt",
        "C = b1 I + b3 A².",
@@ -198,7 +210,7 @@ void set_constant(OrientationModel& model, std::string_view name, double value) 
   std::vector<std::string> names;
   for (const OrientationConstant& one : orientation_constants()) {
     names.push_back(one.parameter.name);
-    if (one.parameter.name != name) continue;
+    if (!same_symbol(one.parameter.name, name)) continue;
     model.constants.*one.member = value;
     return;
   }

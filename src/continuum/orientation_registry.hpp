@@ -51,7 +51,8 @@ struct NamedOrientationModel {
 /// ("ibof").
 [[nodiscard]] OrientationModel orientation_model_named(std::string_view name, std::string_view closure);
 
-/// Sets one constant by name; raises InputError for a name that no law knows.
+/// Sets one constant by its symbol, capitals and underscores aside ("C_I", "c_i"); raises InputError for a
+/// name that no law knows.
 void set_constant(OrientationModel& model, std::string_view name, double value);
 
 /// Checks that every constant that the model reads is finite and admissible, and that what it does not read

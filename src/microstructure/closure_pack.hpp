@@ -72,7 +72,7 @@ FIBERFATE_INLINE IbofBetas ibof_betas(const Symmetric& a) {
   return {b1, b2, b3, b4, b5, b6};
 }
 
-FIBERFATE_INLINE Symmetric contract_ibof(const Symmetric& a, const Symmetric& g) {
+FIBERFATE_OUT_OF_LINE Symmetric contract_ibof(const Symmetric& a, const Symmetric& g) {
   const IbofBetas b = ibof_betas(a);
   const Symmetric q = square(a);
   const Symmetric s = sandwich(a, g);
@@ -117,8 +117,8 @@ FIBERFATE_INLINE Orthotropic averaged_over_equal(const Orthotropic& a, const Equ
 }
 
 /// Evaluates one of the fits of closure_coefficients.hpp; `terms` of its powers are not zero.
-FIBERFATE_INLINE Orthotropic fitted(const OrthotropicCoefficients& coefficients, int terms,
-                                    const Frame& frame) {
+FIBERFATE_OUT_OF_LINE Orthotropic fitted(const OrthotropicCoefficients& coefficients, int terms,
+                                         const Frame& frame) {
   const Pack x = frame.value[0], y = frame.value[1];
   const Pack x2 = x * x, y2 = y * y;
   const Pack power[orthotropic_terms] = {broadcast(1), x,          y,          x * y,   x2,
@@ -133,7 +133,7 @@ FIBERFATE_INLINE Orthotropic fitted(const OrthotropicCoefficients& coefficients,
                              equal_pairs(frame.value, broadcast(equal_values)));
 }
 
-FIBERFATE_INLINE Orthotropic exact_components(const Frame& frame) {
+FIBERFATE_OUT_OF_LINE Orthotropic exact_components(const Frame& frame) {
   Orthotropic a;
   for (int i = 0; i < lanes; ++i) {
     const double values[3] = {frame.value[0][i], frame.value[1][i], frame.value[2][i]};

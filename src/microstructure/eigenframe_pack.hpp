@@ -88,7 +88,7 @@ FIBERFATE_INLINE void rotate_pair(Pack& pp, Pack& qq, Pack& pq, Pack& rp, Pack& 
 }
 
 /// Diagonalises x where pairs are wanted, turning the axes along.
-FIBERFATE_INLINE void diagonalise(Symmetric& x, Pack (&axis)[3][3], const EqualPairs& wanted) {
+FIBERFATE_OUT_OF_LINE void diagonalise(Symmetric& x, Pack (&axis)[3][3], const EqualPairs& wanted) {
   const Pack scale = magnitude(x.c11) + magnitude(x.c22) + magnitude(x.c33) + magnitude(x.c23) +
                      magnitude(x.c31) + magnitude(x.c12);
   const Pack small = 1e-17 * scale;  // turns axes by no more than round-off does
@@ -115,7 +115,7 @@ FIBERFATE_INLINE void order_pair(Pack& higher, Pack& lower, Pack (&axis_higher)[
   }
 }
 
-FIBERFATE_INLINE Frame find_frame(const Symmetric& tensor) {
+FIBERFATE_OUT_OF_LINE Frame find_frame(const Symmetric& tensor) {
   Frame frame;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i) frame.axis[k][i] = broadcast(i == k ? 1 : 0);
@@ -139,7 +139,7 @@ FIBERFATE_INLINE EqualPairs equal_pairs(const Pack (&value)[3], const Pack& tole
 
 /// Turns axes of equal values so that `guide` is diagonal in their space, in falling order; the rest stays.
 /// Returns the diagonal of the guide in the new frame in `guided`.
-FIBERFATE_INLINE Frame guided_frame(const Frame& frame, const Symmetric& guide, Pack (&guided)[3]) {
+FIBERFATE_OUT_OF_LINE Frame guided_frame(const Frame& frame, const Symmetric& guide, Pack (&guided)[3]) {
   Frame turned_frame = frame;
   Symmetric x = into_frame(frame, guide);
   const EqualPairs equal = equal_pairs(frame.value, broadcast(equal_values));

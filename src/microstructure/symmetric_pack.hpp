@@ -5,6 +5,8 @@
 
 #ifdef FIBERFATE_ISA
 #define FIBERFATE_INLINE static inline __attribute__((always_inline))
+/// Marks what is long and called from several places: inlined everywhere it would take minutes to compile.
+#define FIBERFATE_OUT_OF_LINE static inline __attribute__((noinline))
 
 namespace fiberfate::FIBERFATE_ISA {
 

@@ -37,11 +37,11 @@ Mat3 to_matrix(const Vec6& components) {
   return tensor;
 }
 
-Mat3 double_dot(const Mat6& tensor, const Mat3& symmetric) {
+Mat3 contracted(const Mat6& tensor, const Mat3& symmetric) {
   return to_matrix(tensor * multiplicities.cwiseProduct(to_components(symmetric)));
 }
 
-Mat6 double_dot(const Mat6& left, const Mat6& right) {
+Mat6 composed(const Mat6& left, const Mat6& right) {
   return left * multiplicities.asDiagonal() * right;
 }
 

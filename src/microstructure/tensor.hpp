@@ -27,9 +27,9 @@ inline constexpr double multiplicity_of[6] = {1, 1, 1, 2, 2, 2};
 [[nodiscard]] Mat3 to_matrix(const Vec6& components);
 
 /// Contracts (T : X)_ij = T_ijkl X_kl.
-[[nodiscard]] Mat3 double_dot(const Mat6& tensor, const Mat3& symmetric);
+[[nodiscard]] Mat3 contracted(const Mat6& tensor, const Mat3& symmetric);
 /// Contracts (S : T)_ijkl = S_ijmn T_mnkl.
-[[nodiscard]] Mat6 double_dot(const Mat6& left, const Mat6& right);
+[[nodiscard]] Mat6 composed(const Mat6& left, const Mat6& right);
 /// Contracts X : Y = X_ij Y_ij.
 [[nodiscard]] double double_dot(const Mat3& left, const Mat3& right);
 

@@ -1,0 +1,65 @@
+// Solves for the distribution of directions itself, with real spherical harmonics of even order: no closure.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <array>
+
+#include "base/vector.hpp"
+#include "continuum/orientation_model.hpp"
+#include "continuum/runge_kutta.hpp"
+#include "microstructure/tensor.hpp"
+
+namespace fiberfate {
+
+/// Evolves psi(p, t) on the unit sphere,
+///   d psi/dt = - div(psi p') + div(rate P·C·P grad psi),  p' = W·p + xi (D·p - (p·D·p) p),  P = I - p p,
+/// whose second moment obeys the tensor equation of OrientationLaw with the exact A4. psi is expanded in the
+/// real orthonormal harmonics of even degree up to `degree` (Galerkin). The moments converge exponentially
+/// with the degree; a diffusion of strength C_I needs about 6 C_I^(-1/2).
+///
+/// Operators, with R = p × grad: advection by vorticity omega is -omega·R; since P·D·p = grad(q)/2 with q =
+/// p·D·p, of degree 2 and Laplacian -6 q, advection by strain is
+///   div(psi grad q) = (Lap(q psi) - 6 q psi - q Lap psi)/2,
+/// and anisotropic diffusion is (tr C) Lap psi - div((p·C·p) grad psi) - R·C·R psi.
+/// Retardation has no counterpart here: models with one (or with a potential) raise InputError, as does a
+/// diffusion tensor that is indefinite, for which the equation has no solution. Source: Bird et al., Dynamics
+/// of Polymeric Liquids 2 (1987), 14.2; Phelps, Tucker (2009), eq. 12, for diffusion.
+class FokkerPlanck {
+ public:
+  /// Raises InputError unless `degree` is even and 4 to 200.
+  FokkerPlanck(const OrientationModel& model, int degree);
+
+  /// Number of coefficients, (degree + 1)(degree + 2)/2; the first is that of the constant.
+  [[nodiscard]] int size() const { return static_cast<int>(laplacian_.size()); }
+
+  /// Coefficients of the isotropic distribution, psi = 1/(4 pi).
+  [[nodiscard]] Eigen::VectorXd isotropic() const;
+  /// A2 and A4 of a distribution.
+  [[nodiscard]] Mat3 second_moment(const Eigen::VectorXd& psi) const;
+  [[nodiscard]] Mat6 fourth_moment(const Eigen::VectorXd& psi) const;
+  /// psi in one direction, 1/sr.
+  [[nodiscard]] double density(const Eigen::VectorXd& psi, const Vec3& direction) const;
+
+  /// Advances a distribution by `duration` (s) in a constant velocity gradient (1/s). Raises
+  /// SimulationFailure when the step size falls to nothing.
+  void advance(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
+               const IntegrationTolerance& tolerance) const;
+
+  /// Finds the distribution that does not change in a constant velocity gradient; iterates where C depends on
+  /// A2. Raises SimulationFailure when there is none (no diffusion, or no convergence in 200 iterations).
+  [[nodiscard]] Eigen::VectorXd steady(const Mat3& gradient) const;
+
+ private:
+  using Sparse = Eigen::SparseMatrix<double>;
+  [[nodiscard]] Sparse flow_operator(const Mat3& gradient) const;
+  [[nodiscard]] Sparse diffusion_operator(const Mat3& diffusion) const;
+  [[nodiscard]] Mat3 diffusion_at(const Eigen::VectorXd& psi, const Mat3& gradient) const;
+
+  OrientationModel model_;
+  int degree_;
+  std::array<Sparse, 3> rotation_;  ///< R_i
+  std::array<Sparse, 6> product_;   ///< multiplication by p_i p_j
+  Eigen::VectorXd laplacian_;       ///< -l (l + 1)
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,133 @@
+// Integrates orientation laws through flow histories.
+#include "continuum/orientation_history.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "microstructure/admissibility.hpp"
+#include "microstructure/eigenframe.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Weighs the components so that their Euclidean norm is that of the tensor, which no rotation changes.
+Vec6 weighed(const Mat3& tensor) {
+  return to_components(tensor).cwiseProduct(Eigen::Map<const Vec6>(multiplicity_of).cwiseSqrt());
+}
+
+Mat3 unweighed(const Vec6& components) {
+  return to_matrix(components.cwiseQuotient(Eigen::Map<const Vec6>(multiplicity_of).cwiseSqrt()));
+}
+
+/// Principal values below this are left to the closure; round-off of planar states stays above.
+constexpr double tolerated_negative_value = 1e-12;
+
+}  // namespace
+
+GradientHistory::GradientHistory(std::vector<GradientInterval> intervals) : intervals_(std::move(intervals)) {
+  if (intervals_.empty())
+    throw InputError("the flow history is empty", "give at least one velocity gradient");
+  double before = 0;
+  for (const GradientInterval& one : intervals_) {
+    if (!one.gradient.allFinite())
+      throw InputError("a velocity gradient is not finite", "give nine finite numbers");
+    if (!(one.end_time > before))
+      throw InputError(fmt::format("the flow history goes from {:g} s to {:g} s", before, one.end_time),
+                       "times rise from 0");
+    before = one.end_time;
+  }
+}
+
+GradientHistory GradientHistory::constant(const Mat3& gradient) {
+  return GradientHistory({{std::numeric_limits<double>::infinity(), gradient}});
+}
+
+GradientHistory GradientHistory::interpolated(const std::vector<double>& times,
+                                              const std::vector<Mat3>& gradients, int pieces) {
+  if (times.empty() || times.size() != gradients.size() || pieces < 1)
+    throw InputError("the table of velocity gradients is empty", "give a time and a gradient in each row");
+  std::vector<GradientInterval> intervals;
+  if (times.front() > 0) intervals.push_back({times.front(), gradients.front()});
+  for (std::size_t row = 0; row + 1 < times.size(); ++row) {
+    for (int piece = 0; piece < pieces; ++piece) {
+      const double middle = (piece + 0.5) / pieces, end = (piece + 1.0) / pieces;
+      intervals.push_back({times[row] + end * (times[row + 1] - times[row]),
+                           gradients[row] + middle * (gradients[row + 1] - gradients[row])});
+    }
+  }
+  intervals.push_back({std::numeric_limits<double>::infinity(), gradients.back()});
+  return GradientHistory(std::move(intervals));
+}
+
+std::size_t GradientHistory::interval_at(double time) const {
+  const auto found = std::ranges::upper_bound(intervals_, time, {}, &GradientInterval::end_time);
+  return std::min(static_cast<std::size_t>(found - intervals_.begin()), intervals_.size() - 1);
+}
+
+const Mat3& GradientHistory::at(double time) const {
+  return intervals_[interval_at(time)].gradient;
+}
+
+double GradientHistory::next_change(double time) const {
+  const std::size_t here = interval_at(time);
+  return here + 1 < intervals_.size() ? intervals_[here].end_time : std::numeric_limits<double>::infinity();
+}
+
+Mat3 simple_shear_gradient() {
+  Mat3 gradient = Mat3::Zero();
+  gradient(0, 2) = 1;
+  return gradient;
+}
+
+Mat3 planar_elongation_gradient() {
+  return Vec3(0.5, 0, -0.5).asDiagonal();
+}
+
+Mat3 uniaxial_elongation_gradient() {
+  return (Vec3(2, -1, -1) / (2 * std::sqrt(3.0))).asDiagonal();
+}
+
+Mat3 biaxial_elongation_gradient() {
+  return -uniaxial_elongation_gradient();
+}
+
+OrientationIntegrator::OrientationIntegrator(OrientationLaw law, GradientHistory history,
+                                             const OrientationState& start, IntegrationTolerance tolerance)
+    : law_(std::move(law)), history_(std::move(history)), state_(start), tolerance_(tolerance) {
+  const std::string fault = fault_of(start.second, 1e-6);
+  if (!fault.empty())
+    throw InputError("the initial orientation tensor is impossible: " + fault,
+                     "give a symmetric tensor of unit trace without negative principal values");
+  state_.second = nearest_admissible(start.second);
+}
+
+void OrientationIntegrator::advance_to(double time) {
+  while (state_.time < time) {
+    const double end = std::min(time, history_.next_change(state_.time));
+    const Mat3& gradient = history_.at(state_.time);
+    const auto slope = [&](const Vec6& a, Vec6& rate) { rate = weighed(law_.rate(unweighed(a), gradient)); };
+    const auto settle = [&](Vec6& a) {
+      const double drift = (a.head<3>().sum() - 1) / 3;
+      a.head<3>().array() -= drift;
+      const Mat3 second = unweighed(a);
+      if (eigenframe(second).values[2] >= -tolerated_negative_value) return false;
+      a = weighed(nearest_admissible(second));
+      ++projections_;
+      return true;
+    };
+    Vec6 a = weighed(state_.second);
+    const bool arrived = integrate(slope, a, end - state_.time, tolerance_, record_, settle);
+    state_.second = unweighed(a);
+    if (!arrived || !a.allFinite())
+      throw SimulationFailure(
+          fmt::format("the orientation cannot be integrated beyond {:g} s within the tolerance", state_.time),
+          {.step = record_.accepted, .time = state_.time});
+    state_.time = end;
+  }
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,81 @@
+// Follows the orientation through a homogeneous flow history.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "base/vector.hpp"
+#include "continuum/orientation_law.hpp"
+#include "continuum/runge_kutta.hpp"
+
+namespace fiberfate {
+
+/// Holds a velocity gradient that acts until `end_time`.
+struct GradientInterval {
+  double end_time = 0;           ///< s
+  Mat3 gradient = Mat3::Zero();  ///< L_ij = d v_i / d x_j, 1/s
+};
+
+/// Holds a velocity gradient that is constant in each of consecutive intervals; the last lasts for ever.
+class GradientHistory {
+ public:
+  /// Takes intervals of strictly rising end times; raises InputError for none, for times that do not rise
+  /// from 0, or for numbers that are not finite (the last end may be infinite).
+  explicit GradientHistory(std::vector<GradientInterval> intervals);
+  /// Makes a constant flow.
+  static GradientHistory constant(const Mat3& gradient);
+  /// Makes a history that runs linearly from row to row of a table (times rising from 0; constant after the
+  /// last), each stretch cut in `pieces` intervals that take the gradient of their middle: the deviation of
+  /// A2 falls with pieces squared.
+  static GradientHistory interpolated(const std::vector<double>& times, const std::vector<Mat3>& gradients,
+                                      int pieces);
+
+  /// Tells the gradient on [time, next_change(time)).
+  [[nodiscard]] const Mat3& at(double time) const;
+  /// Tells the first time after `time` at which the gradient changes; infinity when it never does.
+  [[nodiscard]] double next_change(double time) const;
+
+ private:
+  [[nodiscard]] std::size_t interval_at(double time) const;
+  std::vector<GradientInterval> intervals_;
+};
+
+/// Names frequent gradients of unit rate sqrt(2 D:D) = 1 1/s; multiply by the rate.
+[[nodiscard]] Mat3 simple_shear_gradient();         ///< v_1 = x_3
+[[nodiscard]] Mat3 planar_elongation_gradient();    ///< diag(1, 0, -1)/2
+[[nodiscard]] Mat3 uniaxial_elongation_gradient();  ///< diag(2, -1, -1)/(2 sqrt 3)
+[[nodiscard]] Mat3 biaxial_elongation_gradient();   ///< the opposite
+
+/// Holds one state of the history.
+struct OrientationState {
+  double time = 0;  ///< s
+  Mat3 second = Mat3::Identity() / 3;
+};
+
+/// Integrates an orientation law through a flow history with Dormand and Prince's method; steps end at every
+/// change of the flow and at the wanted times. Unit trace is kept to round-off; a state that an approximate
+/// closure has left with a negative principal value is returned to the nearest admissible one and counted.
+class OrientationIntegrator {
+ public:
+  /// Raises InputError unless the start is admissible to 1e-6.
+  OrientationIntegrator(OrientationLaw law, GradientHistory history, const OrientationState& start,
+                        IntegrationTolerance tolerance = {});
+
+  /// Advances to a time not before the present one. Raises SimulationFailure when the step size falls to
+  /// nothing.
+  void advance_to(double time);
+
+  [[nodiscard]] const OrientationState& state() const { return state_; }
+  [[nodiscard]] const IntegrationRecord& record() const { return record_; }
+  [[nodiscard]] std::int64_t projections() const { return projections_; }
+
+ private:
+  OrientationLaw law_;
+  GradientHistory history_;
+  OrientationState state_;
+  IntegrationTolerance tolerance_;
+  IntegrationRecord record_;
+  std::int64_t projections_ = 0;
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,25 @@
+// Draws bootstrap samples and reads percentiles from their statistics.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace fiberfate {
+
+/// Holds an estimate and the limits between which it lies with the wanted probability.
+struct Interval {
+  double estimate = 0;
+  double lower = 0;
+  double upper = 0;
+};
+
+/// Says how often each of `count` items occurs in bootstrap sample number `sample` of a seed: `count` draws
+/// with replacement, the same wherever they are made.
+void draw_counts(std::vector<int>& counts, std::size_t count, int sample, std::uint64_t seed);
+
+/// Reads the quantiles (1 - level)/2 and (1 + level)/2 of values by linear interpolation between order
+/// statistics.
+[[nodiscard]] Interval percentile_interval(double estimate, std::vector<double> values, double level);
+
+}  // namespace fiberfate
