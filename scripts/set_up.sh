@@ -73,4 +73,7 @@ build_preset() {
   configure "$@" && cmake --build --preset "$1"
 }
 
+# Where ccache is installed, a clone in another folder compiles to the same objects.
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=true
+
 mkdir -p build
