@@ -17,6 +17,7 @@
 #include "app/command_report.hpp"
 #include "app/command_resume.hpp"
 #include "app/command_run.hpp"
+#include "app/gallery.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
@@ -103,7 +104,10 @@ void add_limits(CLI::App& command, RunOptions& options, std::string& until) {
 void add_case_commands(CLI::App& app, Commands& commands) {
   CLI::App* new_case =
       app.add_subcommand("new", "Write an annotated case file, or copy a case of the gallery");
-  new_case->footer("Examples:\n  fiberfate new shear_cell my_study\n  fiberfate new 04_couette_43wt");
+  new_case->footer(
+      fmt::format("Studies: {}\nGallery: {}\nExamples:\n  fiberfate new shear_cell my_study\n  fiberfate new "
+                  "04_couette_43wt",
+                  fmt::join(study_names(), ", "), fmt::join(gallery_names(), ", ")));
   new_case
       ->add_option("what", commands.new_case.what,
                    "A study (see 'fiberfate explain') or a case of the gallery")
