@@ -117,6 +117,8 @@ class KeyTable {
   /// Any other kind of value.
   void add(Key key);
 
+  /// The folder against which relative paths are read.
+  [[nodiscard]] const std::string& folder() const { return folder_; }
   [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
   [[nodiscard]] const std::vector<Section>& sections() const { return sections_; }
   [[nodiscard]] const Key* find(const std::string& key) const;

@@ -5,8 +5,10 @@
 #include <array>
 
 #include "app/report_document.hpp"
+#include "app/studies/attrition_run.hpp"
 #include "app/studies/cluster_case.hpp"
 #include "app/studies/cluster_run.hpp"
+#include "app/studies/orientation_run.hpp"
 #include "app/studies/shear_cell_case.hpp"
 #include "app/studies/shear_cell_run.hpp"
 
@@ -51,6 +53,14 @@ const std::vector<Study>& studies() {
       erase_type(StudyFunctions<ClusterCase>{
           "cluster", "pack fibers with a wanted orientation, length and concentration", describe_cluster,
           validate_cluster, estimate_cluster, run_cluster, resume_cluster, report_cluster}),
+      erase_type(StudyFunctions<AttritionCase>{
+          "attrition", "follow fiber lengths through a history of flow and temperature by a length law",
+          describe_attrition, validate_attrition, estimate_attrition, run_attrition, resume_attrition,
+          report_attrition}),
+      erase_type(StudyFunctions<OrientationCase>{
+          "orientation", "follow the orientation tensor through a flow history by an orientation law",
+          describe_orientation, validate_orientation, estimate_orientation, run_orientation,
+          resume_orientation, report_orientation}),
   };
   return all;
 }

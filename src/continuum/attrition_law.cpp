@@ -70,6 +70,8 @@ class RelaxationAttrition final : public AttritionLaw {
  public:
   explicit RelaxationAttrition(std::unique_ptr<RelaxationLaw> law) : law_(std::move(law)) {}
   [[nodiscard]] std::unique_ptr<LengthEvolution> start(const LengthStart& start) const override {
+    if (start.form == LengthForm::means && start.means)
+      return std::make_unique<MeansRelaxation>(*law_, *start.means);
     start.initial.check();
     if (start.form == LengthForm::means)
       return std::make_unique<MeansRelaxation>(*law_, mean_lengths(start.initial));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "continuum/length_classes.hpp"
@@ -27,6 +28,7 @@ enum class ClassWeight {
 /// Holds how a population is followed.
 struct LengthStart {
   LengthClasses initial;
+  std::optional<MeanLengths> means = {};  ///< with LengthForm::means, instead of those of `initial`
   LengthForm form = LengthForm::distribution;
   ClassWeight weight = ClassWeight::length;  ///< relaxation laws only
   LengthBins bins{100, 0};  ///< Phelps only; largest_length 0 takes the longest initial fiber

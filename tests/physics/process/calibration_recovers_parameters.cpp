@@ -48,7 +48,7 @@ const ViscosityLaw& melt() {
 }
 
 LengthStart pellets() {
-  return {{{10e-3}, {1}}, LengthForm::distribution, ClassWeight::length, {40, 10e-3}};
+  return {{{10e-3}, {1}}, {}, LengthForm::distribution, ClassWeight::length, {40, 10e-3}};
 }
 
 void predict(const std::string& name, std::span<const double> parameters, std::span<double> lengths) {

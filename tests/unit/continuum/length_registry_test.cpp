@@ -45,7 +45,8 @@ TEST(AttritionLaws, HaveUniqueNamesAndDocumentedParameters) {
 TEST(AttritionLaws, ShortenEveryPopulationAndKeepItsLength) {
   for (const AttritionLawEntry& entry : attrition_laws()) {
     const auto law = make_attrition_law(entry.name, plausible_values(entry));
-    const auto evolution = law->start({population, LengthForm::distribution, ClassWeight::length, {120, 0}});
+    const auto evolution =
+        law->start({population, {}, LengthForm::distribution, ClassWeight::length, {120, 0}});
     const double length = total_length(evolution->population());
     EXPECT_NEAR(length / total_length(population), 1, 1e-14) << entry.name;
     MeanLengths before = evolution->means();
@@ -63,7 +64,7 @@ TEST(AttritionLaws, ShortenEveryPopulationAndKeepItsLength) {
 
 TEST(AttritionLaws, FollowMeansOneByOne) {
   const auto law = make_attrition_law("constant", std::vector<double>{0.1, 1e-3});
-  const auto evolution = law->start({population, LengthForm::means, ClassWeight::length, {}});
+  const auto evolution = law->start({population, {}, LengthForm::means, ClassWeight::length, {}});
   const MeanLengths start = mean_lengths(population);
   evolution->advance({1, 1}, 7);
   EXPECT_NEAR(evolution->means().number_average, 1e-3 + (start.number_average - 1e-3) * std::exp(-0.7),
@@ -71,17 +72,17 @@ TEST(AttritionLaws, FollowMeansOneByOne) {
   EXPECT_NEAR(evolution->means().weight_average, 1e-3 + (start.weight_average - 1e-3) * std::exp(-0.7),
               1e-17);
   const auto phelps = make_attrition_law("phelps", std::vector<double>{0.02, 3, 0.25, 73e9, 19e-6, 0});
-  EXPECT_THROW((void)phelps->start({population, LengthForm::means, ClassWeight::length, {}}), InputError);
+  EXPECT_THROW((void)phelps->start({population, {}, LengthForm::means, ClassWeight::length, {}}), InputError);
 }
 
 TEST(AttritionLaws, WeighClassesByLengthOrByNumber) {
   const auto law = make_attrition_law("constant", std::vector<double>{0.1, 1e-3});
-  const auto kept = law->start({population, LengthForm::distribution, ClassWeight::number, {}});
+  const auto kept = law->start({population, {}, LengthForm::distribution, ClassWeight::number, {}});
   kept->advance({1, 1}, 7);
   EXPECT_EQ(kept->population().numbers, population.numbers);
   EXPECT_EQ(kept->population().lengths[0], 0.5e-3);
   EXPECT_NEAR(kept->population().lengths[3], 1e-3 + 11e-3 * std::exp(-0.7), 1e-17);
-  const auto conserved = law->start({population, LengthForm::distribution, ClassWeight::length, {}});
+  const auto conserved = law->start({population, {}, LengthForm::distribution, ClassWeight::length, {}});
   conserved->advance({1, 1}, 7);
   EXPECT_NEAR(conserved->population().numbers[3] * conserved->population().lengths[3], 5 * 12e-3, 1e-16);
 }
