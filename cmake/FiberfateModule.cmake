@@ -22,6 +22,17 @@ if(FIBERFATE_WERROR)
   target_compile_options(fiberfate_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()
 
+# fiberfate_precompile(TARGET [headers...]) precompiles the headers that nearly every source reads, where asked for.
+function(fiberfate_precompile target)
+  if(FIBERFATE_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE
+      $<$<COMPILE_LANGUAGE:CXX>:<Eigen/Dense$<ANGLE-R>>
+      $<$<COMPILE_LANGUAGE:CXX>:<algorithm$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<functional$<ANGLE-R>>
+      $<$<COMPILE_LANGUAGE:CXX>:<map$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<memory$<ANGLE-R>>
+      $<$<COMPILE_LANGUAGE:CXX>:<string$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<vector$<ANGLE-R>> ${ARGN})
+  endif()
+endfunction()
+
 function(fiberfate_module name)
   cmake_parse_arguments(arg "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*/*.cpp")
@@ -41,4 +52,5 @@ function(fiberfate_module name)
     PUBLIC ${arg_DEPENDS} ${arg_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:fiberfate_flags> ${arg_PRIVATE_LIBRARIES})
   set_target_properties(fiberfate_${name} PROPERTIES EXPORT_NAME ${name})
+  fiberfate_precompile(fiberfate_${name})
 endfunction()

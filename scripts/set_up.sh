@@ -62,7 +62,7 @@ configure() {
   local preset=$1
   shift
   # Debian's Python packages belong to Debian's Python, whatever other Python comes first in PATH.
-  cmake --preset "$preset" -D Python3_EXECUTABLE=/usr/bin/python3 "$@" >"build/configure_$preset.log" 2>&1 || {
+  cmake --preset "$preset" -D FIBERFATE_PRECOMPILE=ON -D Python3_EXECUTABLE=/usr/bin/python3 "$@" >"build/configure_$preset.log" 2>&1 || {
     cat "build/configure_$preset.log"
     return 1
   }
