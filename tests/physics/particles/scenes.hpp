@@ -85,7 +85,7 @@ inline bool touches(const FiberState& state, const Segment& fiber, double cleara
   return false;
 }
 
-/// Sixty fibers at 4.7 % by volume, fifteen times softer than glass: fast shear bends and breaks them within
+/// Sixty fibers at 4.7 % by volume, seventy times softer than glass: fast shear folds and breaks them within
 /// milliseconds.
 inline Scatter soft_fibers() {
   return {.fibers = 60,
@@ -93,7 +93,7 @@ inline Scatter soft_fibers() {
           .rods = 12,
           .cell = 0.6e-3,
           .seed = 11,
-          .material = {.radius = 9.5e-6, .youngs_modulus = 5e9, .density = 2550}};
+          .material = {.radius = 9.5e-6, .youngs_modulus = 1e9, .density = 2550}};
 }
 
 /// Places fibers of uniformly random position and direction one by one where they touch no other.

@@ -11,7 +11,7 @@ namespace {
 DynamicsParameters with_breakage() {
   DynamicsParameters parameters;
   parameters.breakage.law = BreakageLaw::probability;
-  parameters.breakage.maximum_radius = 2e-3;
+  parameters.breakage.maximum_radius = 400e-6;
   parameters.breakage.check_interval = 2e-4;
   return parameters;
 }
@@ -24,8 +24,8 @@ struct Outcome {
 Outcome run(const FiberState& start, int threads) {
   const int before = thread_count();
   use_threads(threads);
-  Simulation simulation(with_breakage(), FlowHistory::constant(100, 500), start);
-  scenes::run_until(simulation, 4e-3);
+  Simulation simulation(with_breakage(), FlowHistory::constant(300, 500), start);
+  scenes::run_until(simulation, 1.5e-2);
   Outcome outcome{simulation.state(), simulation.take_break_events()};
   use_threads(before);
   return outcome;
