@@ -15,7 +15,7 @@ namespace fiberfate {
 namespace {
 
 constexpr double trace_rounding = 2e-3;     ///< what people round off, 0.333 three times for instance
-constexpr double symmetry_rounding = 1e-6;  ///< the same as OrientationLaw admits
+constexpr double symmetry_rounding = 1e-6;  ///< the same as OrientationDistribution admits
 constexpr double exact_trace = 1e-12;  ///< nearer to 1 than this, scaling would only shuffle the last digits
 constexpr const char* how_to_write =
     R"(give "isotropic", "planar", "aligned", three principal values such as [0.6, 0.3, 0.1], or three rows of three)";

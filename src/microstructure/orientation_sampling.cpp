@@ -195,13 +195,13 @@ Mat3 second_moment(std::span<const Vec3> directions, std::span<const double> wei
   return moment / total;
 }
 
-std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double> weights, OrientationLaw law,
-                                      std::uint64_t seed) {
+std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double> weights,
+                                      OrientationDistribution law, std::uint64_t seed) {
   require_admissible(tensor);
   if (weights.empty()) return {};
   const PrincipalAxes principal(nearest_admissible(tensor));
   const Vec3 values = principal.values.cwiseMax(0.0);
-  std::vector<Vec3> directions = law == OrientationLaw::subclusters
+  std::vector<Vec3> directions = law == OrientationDistribution::subclusters
                                      ? mix_subclusters(values, weights, seed)
                                      : map_to_ellipsoid(values, weights.size(), seed);
   fit_second_moment(directions, weights, values.asDiagonal());

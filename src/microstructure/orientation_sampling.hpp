@@ -10,7 +10,7 @@
 namespace fiberfate {
 
 /// Names the distributions that have a given A2.
-enum class OrientationLaw {
+enum class OrientationDistribution {
   angular_central_gaussian,  ///< p = B u / |B u|, u isotropic: smooth; B is fitted to A2
   subclusters,               ///< mixture of 3D-random, planar-random and aligned (thesis 3.28, 3.29)
 };
@@ -26,7 +26,7 @@ void require_admissible(const Mat3& tensor);
 /// fibers, so that the realised tensor is exact to round-off for both laws wherever enough fibers allow it
 /// (see .cpp), and within 1 / count otherwise. Raises InputError as require_admissible.
 [[nodiscard]] std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double> weights,
-                                                    OrientationLaw law, std::uint64_t seed);
+                                                    OrientationDistribution law, std::uint64_t seed);
 
 /// Deals given directions (any length but zero) to `count` fibers: each is used count / directions times, the
 /// remainder at random. Raises InputError for an empty list or a direction of no length.

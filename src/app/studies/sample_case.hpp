@@ -41,7 +41,7 @@ struct ClusterChoices {
   std::string file;                         ///< of source = "file"; absolute
   std::optional<Vec3> direction;            ///< of source = "fiber"; of any length but zero
   Mat3 orientation = Mat3::Identity() / 3;  ///< wanted A2, length-weighted
-  OrientationLaw law = OrientationLaw::angular_central_gaussian;
+  OrientationDistribution law = OrientationDistribution::angular_central_gaussian;
   double minimum_radius =
       PackingRequest{}.minimum_radius;  ///< smallest radius of curvature wanted, m; 0: none
   double overlap_tolerance = PackingRequest{}.overlap_tolerance;          ///< in diameters

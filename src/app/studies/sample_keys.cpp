@@ -124,9 +124,9 @@ void describe_packing(KeyTable& table, ClusterChoices& cluster) {
        .source = "thesis section 3.2.1"});
   table.choice(
       "cluster.law", cluster.law,
-      {{OrientationLaw::angular_central_gaussian, "angular_central_gaussian",
+      {{OrientationDistribution::angular_central_gaussian, "angular_central_gaussian",
         "a smooth distribution fitted to the tensor"},
-       {OrientationLaw::subclusters, "subclusters",
+       {OrientationDistribution::subclusters, "subclusters",
         "a mixture of isotropic, planar and aligned fibers, as in the thesis"}},
       {.text = "How directions with that tensor are distributed.", .source = "thesis section 3.2.1"});
   table.quantity(

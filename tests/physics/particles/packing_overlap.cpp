@@ -83,8 +83,8 @@ TEST(PackingReport, CountsRandomFibersAsTheTheoryDoes) {
   state.cell = rectangular_cell(Vec3::Constant(1e-3));
   const int count = 400;
   const std::vector<double> weights(count, 1.0);
-  const auto directions =
-      sample_orientations(Mat3::Identity() / 3, weights, OrientationLaw::angular_central_gaussian, 1);
+  const auto directions = sample_orientations(Mat3::Identity() / 3, weights,
+                                              OrientationDistribution::angular_central_gaussian, 1);
   for (int f = 0; f < count; ++f) {
     const auto u = uniform4(2, RandomStream::position, {static_cast<std::uint32_t>(f), 0, 0});
     std::vector<Vec3> nodes;

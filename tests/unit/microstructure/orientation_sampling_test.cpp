@@ -43,10 +43,10 @@ std::string refusal(const Mat3& tensor) {
   return "accepted";
 }
 
-class OrientationSampling : public testing::TestWithParam<OrientationLaw> {};
+class OrientationSampling : public testing::TestWithParam<OrientationDistribution> {};
 INSTANTIATE_TEST_SUITE_P(Laws, OrientationSampling,
-                         testing::Values(OrientationLaw::angular_central_gaussian,
-                                         OrientationLaw::subclusters));
+                         testing::Values(OrientationDistribution::angular_central_gaussian,
+                                         OrientationDistribution::subclusters));
 
 TEST_P(OrientationSampling, HasTheTensorExactly) {
   const std::vector<Mat3> tensors = {diagonal(1. / 3, 1. / 3, 1. / 3),
@@ -83,7 +83,8 @@ TEST_P(OrientationSampling, IsUnbiasedInSignAndDiffersBySeed) {
 TEST(OrientationSampling, OfOneOrTwoFibersIsAtLeastDirections) {
   for (const std::size_t count : {1u, 2u, 3u}) {
     const std::vector<double> weights(count, 1.0);
-    for (const OrientationLaw law : {OrientationLaw::angular_central_gaussian, OrientationLaw::subclusters}) {
+    for (const OrientationDistribution law :
+         {OrientationDistribution::angular_central_gaussian, OrientationDistribution::subclusters}) {
       for (const Vec3& p : sample_orientations(diagonal(0.5, 0.3, 0.2), weights, law, 5))
         EXPECT_NEAR(p.norm(), 1, 1e-14);
     }
@@ -94,8 +95,8 @@ TEST(OrientationSampling, OfOneOrTwoFibersIsAtLeastDirections) {
 // 1/15.
 TEST(OrientationSampling, IsotropicHasTheIsotropicFourthMoment) {
   const std::vector<double> weights(1000, 1.0);
-  const auto p =
-      sample_orientations(Mat3::Identity() / 3, weights, OrientationLaw::angular_central_gaussian, 1);
+  const auto p = sample_orientations(Mat3::Identity() / 3, weights,
+                                     OrientationDistribution::angular_central_gaussian, 1);
   double fourth = 0, mixed = 0;
   for (const Vec3& d : p) {
     fourth += std::pow(d[0], 4) / 1000;
@@ -108,7 +109,8 @@ TEST(OrientationSampling, IsotropicHasTheIsotropicFourthMoment) {
 // The mixture of (3.28) has <p3^4> = 3 a3 / 5 because only the 3D-random part leaves the plane.
 TEST(OrientationSampling, SubclustersHaveTheFourthMomentOfTheMixture) {
   const std::vector<double> weights(5000, 1.0);
-  const auto p = sample_orientations(diagonal(0.6, 0.3, 0.1), weights, OrientationLaw::subclusters, 1);
+  const auto p =
+      sample_orientations(diagonal(0.6, 0.3, 0.1), weights, OrientationDistribution::subclusters, 1);
   double fourth = 0;
   for (const Vec3& d : p) fourth += std::pow(d[2], 4) / 5000;
   EXPECT_NEAR(fourth, 0.3 / 5, 1e-3);
