@@ -21,7 +21,7 @@ enum class PackingStart {
 /// Asks for directions: a tensor with the law that realises it, or measured directions.
 struct OrientationRequest {
   Mat3 tensor = Mat3::Identity() / 3;  ///< A2, length-weighted
-  OrientationLaw law = OrientationLaw::angular_central_gaussian;
+  OrientationDistribution law = OrientationDistribution::angular_central_gaussian;
   std::vector<Vec3> directions;  ///< where not empty: dealt to the fibers, and their moment replaces `tensor`
 };
 
