@@ -10,6 +10,7 @@
 #include "base/constants.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "base/threads.hpp"
 #include "base/timer.hpp"
 #include "packing/minimiser.hpp"
 #include "packing/packing.hpp"
@@ -20,7 +21,6 @@ namespace {
 // Stages; docs/theory/packing.md gives the reasons and what other values reach. Lengths are in thickest
 // diameters D, stiffness in units of the contact stiffness k, bending stiffness B of the stiffest fiber in k
 // D³.
-constexpr double spread_swelling = 4;      // fibers repel each other from this many diameters
 constexpr double spread_stiffness = 0.01;  // so softly that they pass through one another
 constexpr double spread_bending = 70;      // and stay nearly straight
 constexpr double spread_rod = 9;           // long rods do while fibers spread: fewer of them
@@ -84,6 +84,9 @@ void require_sensible(const PackingRequest& request) {
   if (!(request.overlap_tolerance > 0) || !(request.overlap_tolerance < 1))
     throw InputError(fmt::format("the overlap tolerance is {:.4g} diameters", request.overlap_tolerance),
                      "give a number between 0 and 1");
+  if (!(request.swelling >= 1) || !(request.swelling <= 10))
+    throw InputError(fmt::format("the swelling is {:.4g} diameters", request.swelling),
+                     "give a number from 1 to 10");
   double volume = 0, thickest = 0;
   for (const FiberBlank& fiber : request.fibers) {
     if (fiber.material_id >= request.materials.size())
@@ -282,7 +285,7 @@ void Packer::spread(Chains& chains) {
   PackingEnergy energy;
   energy.orientation = orientation_stiffness;
   energy.bending = spread_bending;
-  energy.repulsion.swelling = spread_swelling;
+  energy.repulsion.swelling = request_.swelling;
   energy.repulsion.stiffness = spread_stiffness;
   stage_ = "spread";
   relax(minimiser, energy, spread_steps, {-1, 0});
@@ -310,12 +313,35 @@ FiberState Packer::pack() {
   return state_of(chains);
 }
 
+/// Uses only as many threads as small packings keep busy: waiting for each other costs more than it saves.
+/// The result is the same for any number.
+class SuitableThreads {
+ public:
+  explicit SuitableThreads(std::int64_t rods) : before_(thread_count()) {
+    use_threads(static_cast<int>(std::min<std::int64_t>(before_, 1 + rods / rods_a_thread)));
+  }
+  ~SuitableThreads() { use_threads(before_); }
+  SuitableThreads(const SuitableThreads&) = delete;
+  SuitableThreads& operator=(const SuitableThreads&) = delete;
+
+ private:
+  static constexpr std::int64_t rods_a_thread = 1000;
+  int before_;
+};
+
+std::int64_t rods_in(const PackingRequest& request) {
+  std::int64_t rods = 0;
+  for (const FiberBlank& fiber : request.fibers) rods += fiber.rods;
+  return rods;
+}
+
 }  // namespace
 
 PackingResult pack(const PackingRequest& request,
                    const std::function<void(const PackingProgress&)>& progress) {
   const double start = wall_seconds();
   require_sensible(request);
+  const SuitableThreads threads(rods_in(request));
   Packer packer(request, progress);
   PackingResult result;
   result.state = packer.pack();

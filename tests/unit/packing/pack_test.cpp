@@ -1,0 +1,166 @@
+// Tests packings of tens of fibers: what was asked for, threads, walls, several materials, errors.
+#include "packing/packing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "fibers/observables.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// 40 fibers of 1 mm at 15 % by volume: straight ones do not fit (5 D / L = 9.5 %), and the cell is shorter
+/// than they.
+PackingRequest crowded_request() {
+  PackingRequest request;
+  request.materials = {{9.5e-6, 73e9, 2550}};
+  request.fibers.assign(40, {1e-3, 10, 0});
+  request.cell = rectangular_cell(Vec3::Constant(0.4228e-3));
+  return request;
+}
+
+TEST(Pack, IsBitwiseTheSameForAnyNumberOfThreads) {
+  const int before = thread_count();
+  PackingRequest request = crowded_request();
+  request.fibers.assign(120, {1e-3, 25, 0});  // enough rods for three threads
+  request.cell = rectangular_cell(Vec3::Constant(0.6e-3));
+  use_threads(1);
+  const PackingResult one = pack(request);
+  use_threads(3);
+  const PackingResult three = pack(request);
+  use_threads(before);
+  ASSERT_EQ(one.state.position.size(), three.state.position.size());
+  for (std::size_t k = 0; k < one.state.position.size(); ++k)
+    EXPECT_EQ(one.state.position[k], three.state.position[k]);
+  EXPECT_EQ(one.report.steps, three.report.steps);
+}
+
+TEST(Pack, KeepsLengthsOrderAndOrientation) {
+  PackingRequest request = crowded_request();
+  for (std::size_t f = 0; f < 20; ++f) request.fibers[f] = {0.7e-3, 7, 0};
+  request.orientation.tensor = Vec3(0.6, 0.3, 0.1).asDiagonal();
+  const PackingResult result = pack(request);
+  for (Index f = 0; f < result.state.fiber_count(); ++f) {
+    EXPECT_EQ(result.state.rod_count(f), f < 20 ? 7 : 10);
+    EXPECT_NEAR(fiber_length(result.state, f), f < 20 ? 0.7e-3 : 1e-3, 1e-15);
+    for (Index k = result.state.begin_node(f); k + 1 < result.state.end_node(f); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      EXPECT_NEAR((result.state.position[i + 1] - result.state.position[i]).norm(), 1e-4, 1e-16);
+    }
+  }
+  EXPECT_LT(result.report.orientation_error, 0.005);
+  EXPECT_LT((orientation_tensor(result.state, Weighting::length) - request.orientation.tensor)
+                .cwiseAbs()
+                .maxCoeff(),
+            0.005);
+  EXPECT_LT(result.report.largest_overlap, 0.01);
+}
+
+TEST(Pack, LeavesDiluteFibersExactlyStraight) {
+  PackingRequest request = crowded_request();
+  request.cell = rectangular_cell(Vec3::Constant(0.8e-3));
+  const PackingResult result = pack(request);
+  EXPECT_TRUE(std::isinf(result.report.minimum_radius));
+  EXPECT_EQ(result.report.mean_curvature, 0);
+  EXPECT_LT(result.report.largest_overlap, 0.01);
+}
+
+TEST(Pack, MeetsTheRadiusWanted) {
+  PackingRequest request = crowded_request();
+  request.minimum_radius = 0.4e-3;
+  EXPECT_GE(pack(request).report.minimum_radius, 0.4e-3);
+}
+
+TEST(Pack, StaysBetweenWalls) {
+  PackingRequest request = crowded_request();
+  request.cell = rectangular_cell(Vec3(0.5e-3, 0.8e-3, 0.5e-3));
+  request.cell.boundary[1] = Boundary::walls;
+  request.orientation.tensor = Vec3(0.6, 0.05, 0.35).asDiagonal();
+  const PackingResult result = pack(request);
+  const double allowed = 9.5e-6 * (1 - 2 * request.overlap_tolerance);
+  for (const Vec3& x : result.state.position) {
+    EXPECT_GE(x[1], allowed);
+    EXPECT_LE(x[1], 0.8e-3 - allowed);
+  }
+}
+
+TEST(Pack, MixesMaterials) {
+  PackingRequest request = crowded_request();
+  request.materials.push_back({3.5e-6, 230e9, 1800});
+  for (std::size_t f = 0; f < 30; ++f) request.fibers.push_back({0.5e-3, 5, 1});
+  const PackingResult result = pack(request);
+  EXPECT_LT(result.report.largest_overlap, 0.01);
+  EXPECT_EQ(result.state.material(45).radius, 3.5e-6);
+}
+
+TEST(Pack, TakesMeasuredDirections) {
+  PackingRequest request = crowded_request();
+  request.cell = rectangular_cell(Vec3::Constant(0.8e-3));
+  request.orientation.directions = {Vec3::UnitX(), Vec3::UnitY()};
+  const PackingResult result = pack(request);
+  EXPECT_NEAR(result.report.orientation_reached(0, 0), 0.5, 0.005);
+  EXPECT_NEAR(result.report.orientation_reached(2, 2), 0, 0.005);
+}
+
+TEST(Pack, ReportsProgress) {
+  int calls = 0;
+  PackingProgress last;
+  (void)pack(crowded_request(), [&](const PackingProgress& progress) {
+    ++calls;
+    last = progress;
+  });
+  EXPECT_GT(calls, 5);
+  EXPECT_GT(last.step, 200);
+}
+
+std::string refusal(const PackingRequest& request) {
+  try {
+    (void)pack(request);
+  } catch (const InputError& problem) {
+    return problem.what();
+  }
+  return "accepted";
+}
+
+TEST(Pack, RefusesWhatCannotBe) {
+  PackingRequest request = crowded_request();
+  request.fibers.clear();
+  EXPECT_EQ(refusal(request), "there are no fibers to pack: ask for at least one");
+  request = crowded_request();
+  request.cell = rectangular_cell(Vec3::Constant(0.2e-3));
+  EXPECT_EQ(refusal(request),
+            "the fibers fill 1.418 of the cell: even parallel fibers fill at most 0.9069 (pi / sqrt 12)");
+  request.cell = rectangular_cell(Vec3(10e-3, 10e-3, 30e-6));
+  EXPECT_EQ(refusal(request), "the cell is 3e-05 m high: give at least two fiber diameters, 3.8e-05 m");
+  request = crowded_request();
+  request.overlap_tolerance = 0;
+  EXPECT_EQ(refusal(request), "the overlap tolerance is 0 diameters: give a number between 0 and 1");
+  request = crowded_request();
+  request.swelling = 0.5;
+  EXPECT_EQ(refusal(request), "the swelling is 0.5 diameters: give a number from 1 to 10");
+  request = crowded_request();
+  request.orientation.tensor = Vec3(0.8, 0.3, -0.1).asDiagonal();
+  EXPECT_EQ(refusal(request),
+            "the orientation tensor has the eigenvalue -0.1, and no fibers have a negative one: "
+            "the nearest possible tensor is [0.75, 0.25, 0]");
+}
+
+TEST(Pack, SaysWhatWasReachedWhenItGivesUp) {
+  PackingRequest request = crowded_request();
+  request.minimum_radius = 0.1;  // ten centimetres: as good as straight
+  request.step_limit = 900;
+  try {
+    (void)pack(request);
+    FAIL() << "packed";
+  } catch (const SimulationFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("no packing was found in 900 steps: overlap 0."),
+              std::string::npos)
+        << failure.what();
+  }
+}
+
+}  // namespace
+}  // namespace fiberfate
