@@ -42,7 +42,8 @@ const char* fiberfate_error_text(void);
  * `model`:   jeffery, folgar_tucker, rsc, srf, ard, ard_rsc, iard, iard_rpr, pard, pard_rpr, mrd or wpt, or any pair
  *            "diffusion+retardation" such as "mrd+rsc".
  * `closure`: linear, quadratic, hybrid, ibof, orf, orw, orw3, ore, ors, orl, orp, bingham or exact.
- * Constants that are not given keep their standard values; one that the law does not read is an error.
+ * Constants that are not given are neutral (no diffusion, no retardation, slender fibers); one that the law does not
+ * read is an error.
  * `law` receives the law, or NULL; free it with fiberfate_orientation_destroy. */
 fiberfate_status fiberfate_orientation_create(const char* model, const char* closure,
                                               const fiberfate_constant* constants, size_t constant_count,

@@ -10,7 +10,8 @@ namespace fiberfate {
 
 /// Names the models of aligned fibers.
 enum class Homogenisation {
-  halpin_tsai,  ///< Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976)
+  halpin_tsai,  ///< Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976); may give a material without energy, see
+                ///< stores_energy
   mori_tanaka,  ///< Benveniste, Mech. Mater. 6, 147 (1987), with Eshelby's tensor
   lielens  ///< Lielens et al., Composites A 29, 63 (1998): between the two Hashin-Shtrikman-Willis bounds
 };

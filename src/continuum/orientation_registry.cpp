@@ -15,6 +15,8 @@ namespace fiberfate {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+/// Standard value of what a user has to give.
+constexpr double required = std::numeric_limits<double>::quiet_NaN();
 using Constants = OrientationConstants;
 
 template <class Choice>
@@ -59,7 +61,7 @@ std::vector<std::string> constants_of(const OrientationModel& model) {
 std::string complaint_about(const OrientationConstant& constant, double value, bool read) {
   const LawParameter& parameter = constant.parameter;
   if (!std::isfinite(value)) return fmt::format("{} is not a finite number", parameter.name);
-  if (!read && value != parameter.standard_value)
+  if (!read && value != Constants{}.*constant.member)
     return fmt::format("{} = {:g} is not read by this law", parameter.name, value);
   if (read && (value < parameter.lower || value > parameter.upper))
     return fmt::format("{} = {:g} is outside [{:g}, {:g}]", parameter.name, value, parameter.lower,
@@ -71,31 +73,29 @@ std::string complaint_about(const OrientationConstant& constant, double value, b
 
 const std::vector<OrientationConstant>& orientation_constants() {
   static const std::vector<OrientationConstant> all = {
-      {{"xi", "1", "Shape factor (r²-1)/(r²+1) of fibers of aspect ratio r; 1 for slender ones.", 1, -1, 1},
+      {{"xi", "1", "Shape factor (r²-1)/(r²+1) of fibers of aspect ratio r; 1 for slender ones", 1, -1, 1},
        &Constants::xi},
-      {{"C_I", "1", "Interaction coefficient C_I: strength of rotary diffusion.", 0, 0, unbounded},
-       &Constants::c_i},
-      {{"C_M", "1", "Fiber-matrix interaction C_M: how much diffusion is suppressed along the flow.", 0, 0,
+      {{"C_I", "1", "Interaction coefficient: strength of rotary diffusion", required}, &Constants::c_i},
+      {{"C_M", "1", "Fiber-matrix interaction: how much diffusion is suppressed along the flow", required, 0,
         1},
        &Constants::c_m},
-      {{"Omega", "1", "Share of diffusion along the second principal axis.", 1, 0, 1}, &Constants::omega},
-      {{"D1", "1", "Diffusion along the first principal axis, in units of C_I.", 1, 0, unbounded},
-       &Constants::d1},
-      {{"D2", "1", "Diffusion along the second principal axis, in units of C_I.", 0, 0, unbounded},
-       &Constants::d2},
-      {{"D3", "1", "Diffusion along the third principal axis, in units of C_I.", 0, 0, unbounded},
-       &Constants::d3},
-      {{"b1", "1", "Isotropic diffusion.", 0, -unbounded, unbounded}, &Constants::b1},
-      {{"b2", "1", "Diffusion along A.", 0, -unbounded, unbounded}, &Constants::b2},
-      {{"b3", "1", "Diffusion along A².", 0, -unbounded, unbounded}, &Constants::b3},
-      {{"b4", "1", "Diffusion along D/rate.", 0, -unbounded, unbounded}, &Constants::b4},
-      {{"b5", "1", "Diffusion along D²/rate².", 0, -unbounded, unbounded}, &Constants::b5},
-      {{"kappa", "1", "Factor on the rates of the principal values.", 1, 0, 1}, &Constants::kappa},
-      {{"alpha", "1", "Share by which the rates of the principal values are reduced.", 0, 0, 1},
+      {{"Omega", "1", "Share of diffusion along the second principal axis", required, 0, 1},
+       &Constants::omega},
+      {{"D1", "1", "Diffusion along the first principal axis, in units of C_I", 1}, &Constants::d1},
+      {{"D2", "1", "Diffusion along the second principal axis, in units of C_I", required}, &Constants::d2},
+      {{"D3", "1", "Diffusion along the third principal axis, in units of C_I", required}, &Constants::d3},
+      {{"b1", "1", "Isotropic diffusion", required, -unbounded}, &Constants::b1},
+      {{"b2", "1", "Diffusion along A", 0, -unbounded}, &Constants::b2},
+      {{"b3", "1", "Diffusion along A²", 0, -unbounded}, &Constants::b3},
+      {{"b4", "1", "Diffusion along D/rate", 0, -unbounded}, &Constants::b4},
+      {{"b5", "1", "Diffusion along D²/rate²", 0, -unbounded}, &Constants::b5},
+      {{"kappa", "1", "Factor on the rates of the principal values", required, 0, 1}, &Constants::kappa},
+      {{"alpha", "1", "Share by which the rates of the principal values are reduced", required, 0, 1},
        &Constants::alpha},
-      {{"beta", "s", "Tunes the retardation by products of the rates.", 0, 0, unbounded}, &Constants::beta},
-      {{"srf", "1", "Factor on the whole rate.", 1, 0, 1}, &Constants::srf},
-      {{"U0", "1", "Maier-Saupe potential; stable below 8 C_I.", 0, -unbounded, unbounded}, &Constants::u0}};
+      {{"beta", "s", "Tunes the retardation by products of the rates", 0}, &Constants::beta},
+      {{"srf", "1", "Factor on the whole rate", required, 0, 1}, &Constants::srf},
+      {{"U0", "1", "Maier-Saupe potential; the isotropic state is stable below 8 C_I", 0, -unbounded},
+       &Constants::u0}};
   return all;
 }
 

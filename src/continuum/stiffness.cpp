@@ -34,13 +34,17 @@ Mat6 orthotropic_stiffness(const EngineeringConstants& c) {
   compliance << 1 / c.e1, -c.nu12 / c.e1, -c.nu31 / c.e3,  //
       -c.nu12 / c.e1, 1 / c.e2, -c.nu23 / c.e2,            //
       -c.nu31 / c.e3, -c.nu23 / c.e2, 1 / c.e3;
-  if (compliance.llt().info() != Eigen::Success || !(c.g23 > 0) || !(c.g31 > 0) || !(c.g12 > 0))
-    throw InputError("the engineering constants give a material that releases energy when deformed",
-                     "moduli are positive and |nu_ij| < sqrt(E_i/E_j)");
   Mat6 stiffness = Mat6::Zero();
   stiffness.topLeftCorner<3, 3>() = compliance.inverse();
   stiffness.diagonal().tail<3>() << c.g23, c.g31, c.g12;
   return stiffness;
+}
+
+bool stores_energy(const Mat6& stiffness) {
+  // Weighted by sqrt(2) off the diagonal, the energy is an ordinary quadratic form of the strain components.
+  const Vec6 weight = Eigen::Map<const Vec6>(multiplicity_of).cwiseSqrt();
+  const Mat6 symmetric = 0.5 * (stiffness + stiffness.transpose());
+  return Mat6(weight.asDiagonal() * symmetric * weight.asDiagonal()).llt().info() == Eigen::Success;
 }
 
 EngineeringConstants engineering_constants(const Mat6& stiffness) {

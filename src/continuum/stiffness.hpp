@@ -23,8 +23,11 @@ struct EngineeringConstants {
 /// Makes C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk), Pa. Raises InputError unless E > 0 and -1 <
 /// nu < 1/2.
 [[nodiscard]] Mat6 isotropic_stiffness(const IsotropicElasticity& material);
-/// Makes the stiffness of an orthotropic material, Pa. Raises InputError when its energy is not positive.
+/// Makes the stiffness of an orthotropic material, Pa. Its energy may turn out negative (stores_energy
+/// tells): Halpin and Tsai's constants, which are independent of each other, do not rule that out.
 [[nodiscard]] Mat6 orthotropic_stiffness(const EngineeringConstants& constants);
+/// Tells whether every strain stores energy, as in any real material.
+[[nodiscard]] bool stores_energy(const Mat6& stiffness);
 /// Reads the engineering constants along the axes 1, 2, 3 from a stiffness; couplings of shear are ignored.
 [[nodiscard]] EngineeringConstants engineering_constants(const Mat6& stiffness);
 

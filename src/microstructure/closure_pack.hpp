@@ -146,7 +146,7 @@ FIBERFATE_OUT_OF_LINE Orthotropic exact_components(const Frame& frame) {
     a.c31[i] = c[4];
     a.c12[i] = c[5];
   }
-  return a;
+  return averaged_over_equal(a, equal_pairs(frame.value, broadcast(equal_values)));
 }
 
 FIBERFATE_INLINE Orthotropic orthotropic_components(Closure closure, const Frame& frame) {

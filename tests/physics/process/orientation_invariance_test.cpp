@@ -59,8 +59,8 @@ const Mat3 isotropic = Mat3::Identity() / 3;
 std::vector<Mat3> awkward_states() {
   std::vector<Mat3> states;
   for (const Vec3& values :
-       {Vec3(0.6, 0.3, 0.1), Vec3(0.5, 0.25, 0.25), Vec3(0.4, 0.4, 0.2), Vec3(1, 1, 1) / 3, Vec3(0.6, 0.4, 0),
-        Vec3(0.5, 0.5, 0), Vec3(1, 0, 0), Vec3(1 - 2e-13, 1e-13, 1e-13)})
+       {Vec3(0.6, 0.3, 0.1), Vec3(0.5, 0.25, 0.25), Vec3(0.4, 0.4, 0.2), Vec3(1.0 / 3, 1.0 / 3, 1.0 / 3),
+        Vec3(0.6, 0.4, 0), Vec3(0.5, 0.5, 0), Vec3(1, 0, 0), Vec3(1 - 2e-13, 1e-13, 1e-13)})
     states.emplace_back(values.asDiagonal());
   return states;
 }

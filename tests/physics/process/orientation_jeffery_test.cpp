@@ -12,7 +12,7 @@ namespace fiberfate {
 namespace {
 
 Vec3 vector3(const nlohmann::json& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
+  return {numbers[0].get<double>(), numbers[1].get<double>(), numbers[2].get<double>()};
 }
 
 /// Angle from the velocity gradient towards the flow in simple shear: tan phi = r tan(rate t / (r + 1/r)),

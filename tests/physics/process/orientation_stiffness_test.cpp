@@ -104,6 +104,13 @@ TEST(Stiffness, NoFibersLeaveTheMatrixAndOnlyFibersTheFiber) {
   }
 }
 
+TEST(Stiffness, RealMaterialsStoreEnergy) {
+  const CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.35};
+  EXPECT_TRUE(stores_energy(aligned_composite(material, 20, Homogenisation::mori_tanaka).stiffness));
+  // Halpin and Tsai's transverse constants contradict each other for spheres at this content.
+  EXPECT_FALSE(stores_energy(aligned_composite(material, 1, Homogenisation::halpin_tsai).stiffness));
+}
+
 TEST(Stiffness, LengthAverageOfOneClassIsThatClass) {
   const CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.2};
   const AspectRatioClass one[] = {{30, 2.5}};

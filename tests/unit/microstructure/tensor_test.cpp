@@ -127,7 +127,7 @@ TEST(ExactClosure, InvertsCarlsonsIntegral) {
   EXPECT_NEAR(carlson_rd(0, 2, 1), 1.7972103521033883, 1e-14);  // Carlson (1995), table
   EXPECT_NEAR(carlson_rd(2, 3, 4), 0.16510527294261053, 1e-15);
   for (const Vec3& values : {Vec3(0.6, 0.3, 0.1), Vec3(0.98, 0.015, 0.005), Vec3(0.5, 0.499, 0.001),
-                             Vec3(1, 1, 1) / 3, Vec3(0.6, 0.4 - 1e-7, 1e-7)}) {
+                             Vec3(1.0 / 3, 1.0 / 3, 1.0 / 3), Vec3(0.6, 0.4 - 1e-7, 1e-7)}) {
     Vec3 b;
     ASSERT_TRUE(find_exact_shape(values.data(), b.data()));
     EXPECT_NEAR(b.prod(), 1, 1e-11);
