@@ -113,7 +113,7 @@ void Minimiser::load(std::size_t fiber, FiberSums& sums, ChainConstraints& const
   const Mat3 couple = (energy_.orientation / chains_.rod_length[fiber]) * orientation_error_;
   for (std::size_t k = begin; k < end; ++k) chains_.force[k].setZero();
   for (std::size_t k = begin; k + 1 < end; ++k) {
-    const RodLoad& load = loads_[neighbours_.slot(k)];
+    const RepulsionLoad& load = loads_[neighbours_.slot(k)];
     const Vec3 turn = couple * (chains_.position[k + 1] - chains_.position[k]);
     chains_.force[k] += Vec3(load.on_begin[0], load.on_begin[1], load.on_begin[2]) + turn;
     chains_.force[k + 1] += Vec3(load.on_end[0], load.on_end[1], load.on_end[2]) - turn;

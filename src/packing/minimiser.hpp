@@ -67,7 +67,7 @@ class Minimiser {
   Mat3 target_;
   PackingEnergy energy_;
   RodNeighbours neighbours_;
-  std::vector<RodLoad> loads_;
+  std::vector<RepulsionLoad> loads_;
   std::vector<FiberSums> sums_;
   std::vector<Vec3> listed_position_;
   Mat3 orientation_error_ = Mat3::Zero();

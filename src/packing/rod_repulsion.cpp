@@ -8,7 +8,7 @@ namespace fiberfate {
 #define FIBERFATE_DECLARE_KERNELS(set)                                                            \
   namespace set {                                                                                 \
   void repel_rods(const RepulsionInput& input, const RepulsionLaw& law, int first, int last,      \
-                  RodLoad* loads);                                                                \
+                  RepulsionLoad* loads);                                                          \
   void measure_distances(const RepulsionInput& input, int subject, int count, double* distances); \
   int search_rods(const CentreArrays& centres, const SearchRod& rod, int first, int last,         \
                   std::int32_t* near);                                                            \

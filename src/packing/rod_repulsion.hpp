@@ -32,7 +32,7 @@ struct RepulsionLaw {
 };
 
 /// Holds the load on the two ends of a rod.
-struct alignas(64) RodLoad {
+struct alignas(64) RepulsionLoad {
   double on_begin[3] = {0, 0, 0};
   double on_end[3] = {0, 0, 0};
   double largest_overlap =
@@ -74,7 +74,7 @@ using SearchKernel = int (*)(const CentreArrays& centres, const SearchRod& rod, 
                              std::int32_t* near);
 /// Computes the loads on the rods [first, last).
 using RepulsionKernel = void (*)(const RepulsionInput& input, const RepulsionLaw& law, int first, int last,
-                                 RodLoad* loads);
+                                 RepulsionLoad* loads);
 /// Computes the axis distances from rod `subject` to `count` (a multiple of eight) others.
 using DistanceKernel = void (*)(const RepulsionInput& input, int subject, int count, double* distances);
 

@@ -110,7 +110,7 @@ FIBERFATE_INLINE double largest(const Pack& p) {
   return most;
 }
 
-FIBERFATE_INLINE RodLoad repel(const RepulsionInput& in, const RepulsionLaw& law, int rod) {
+FIBERFATE_INLINE RepulsionLoad repel(const RepulsionInput& in, const RepulsionLaw& law, int rod) {
   const Pack zero = broadcast(0.0);
   const Rods subject = spread(in.records[rod]);
   Column on_begin = {zero, zero, zero}, on_end = {zero, zero, zero};
@@ -138,7 +138,7 @@ FIBERFATE_INLINE RodLoad repel(const RepulsionInput& in, const RepulsionLaw& law
 
 }  // namespace
 
-void repel_rods(const RepulsionInput& input, const RepulsionLaw& law, int first, int last, RodLoad* loads) {
+void repel_rods(const RepulsionInput& input, const RepulsionLaw& law, int first, int last, RepulsionLoad* loads) {
   for (int rod = first; rod < last; ++rod) loads[rod] = repel(input, law, rod);
 }
 

@@ -108,13 +108,13 @@ TEST(RodNeighbours, FindImagesOfRodsLongerThanTheCell) {
 }
 
 /// Energy sum of k g² / 2 over all pairs, from the loads (each rod carries half of each of its pairs).
-double energy(const Chains& chains, const RepulsionLaw& law, std::vector<RodLoad>& loads,
+double energy(const Chains& chains, const RepulsionLaw& law, std::vector<RepulsionLoad>& loads,
               RodNeighbours& neighbours) {
   for (std::size_t f = 0; f < chains.rod_length.size(); ++f) neighbours.refresh(chains, f);
   loads.resize(static_cast<std::size_t>(neighbours.rod_count()));
   repulsion_kernel()(neighbours.input(), law, 0, static_cast<int>(neighbours.rod_count()), loads.data());
   double sum = 0;
-  for (const RodLoad& load : loads) sum += load.energy;
+  for (const RepulsionLoad& load : loads) sum += load.energy;
   return sum;
 }
 
@@ -125,7 +125,7 @@ TEST(RodRepulsion, IsMinusTheGradientOfItsEnergy) {
   RepulsionLaw law;
   law.swelling = 1.6;
   law.stiffness = 0.7;
-  std::vector<RodLoad> loads, other;
+  std::vector<RepulsionLoad> loads, other;
   ASSERT_GT(energy(chains, law, loads, neighbours), 0.1);
   int compared = 0;
   for (std::size_t k = 0; k < chains.position.size(); ++k) {
@@ -159,11 +159,11 @@ TEST(RodRepulsion, BalancesAndReportsTheLargestOverlap) {
   const Chains chains = random_chains(rectangular_cell(Vec3::Constant(14)), 12, 6, 4);
   RodNeighbours neighbours;
   neighbours.build(chains, {1, 0, 0});
-  std::vector<RodLoad> loads;
+  std::vector<RepulsionLoad> loads;
   (void)energy(chains, RepulsionLaw{}, loads, neighbours);
   Vec3 sum = Vec3::Zero();
   double overlap = -1, expected = -1;
-  for (const RodLoad& load : loads) {
+  for (const RepulsionLoad& load : loads) {
     for (int i = 0; i < 3; ++i) sum[i] += load.on_begin[i] + load.on_end[i];
     overlap = std::max(overlap, load.largest_overlap);
   }
@@ -192,7 +192,7 @@ TEST(RodRepulsion, SaturatesAsTheContactLaw) {
   law.reach = 0.1;
   law.saturation = 0.05;
   law.decay = 4;
-  std::vector<RodLoad> loads;
+  std::vector<RepulsionLoad> loads;
   (void)energy(chains, law, loads, neighbours);
   // Beyond saturation F0 (1 + x + x²/2), x = 4 (1 − 0.8).
   const double x = 4 * (1 - gap);
