@@ -220,7 +220,7 @@ ContactStatistics Simulation::contact_statistics() {
   ContactStatistics statistics;
   if (!p.has_contacts()) return statistics;
   p.find_contacts(p.flow.at(p.state.time), 0);
-  double overlaps = 0;
+  std::vector<double> overlaps;
   for (const Contact& contact : p.search.contacts()) {
     const double first = p.state.materials[contact.first_material].radius;
     const double second = p.state.materials[contact.second_material].radius;
@@ -229,12 +229,16 @@ ContactStatistics Simulation::contact_statistics() {
     if (force <= 0) continue;
     const double overlap = (first + second - contact.distance) / mean;
     ++statistics.contacts;
-    overlaps += overlap;
+    overlaps.push_back(overlap);
     statistics.max_overlap = std::max(statistics.max_overlap, overlap);
     statistics.largest_force = std::max(statistics.largest_force, force);
   }
   statistics.contacts_per_fiber = 2.0 * static_cast<double>(statistics.contacts) / p.state.fiber_count();
-  if (statistics.contacts > 0) statistics.mean_overlap = overlaps / static_cast<double>(statistics.contacts);
+  // Contacts come in the order of the neighbour list, which a resumed run builds anew: sort, so that the sum
+  // always rounds alike.
+  std::sort(overlaps.begin(), overlaps.end());
+  const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
+  if (statistics.contacts > 0) statistics.mean_overlap = sum / static_cast<double>(statistics.contacts);
   return statistics;
 }
 
