@@ -3,7 +3,7 @@ set(FIBERFATE_EMBED_GALLERY_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/WriteGallery.cmake
 
 function(fiberfate_embed_gallery target)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cases/*.toml" "${PROJECT_SOURCE_DIR}/cases/*.md"
-       "${PROJECT_SOURCE_DIR}/cases/*.txt")
+       "${PROJECT_SOURCE_DIR}/cases/*.txt" "${PROJECT_SOURCE_DIR}/cases/*.csv")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/gallery_files.cpp")
   add_custom_command(
     OUTPUT "${source}"

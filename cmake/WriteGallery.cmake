@@ -1,5 +1,5 @@
 # Writes OUTPUT, a source that holds the files below CASES as raw strings.
-file(GLOB_RECURSE files RELATIVE "${CASES}" "${CASES}/*.toml" "${CASES}/*.md" "${CASES}/*.txt")
+file(GLOB_RECURSE files RELATIVE "${CASES}" "${CASES}/*.toml" "${CASES}/*.md" "${CASES}/*.txt" "${CASES}/*.csv")
 list(SORT files)
 set(entries "")
 foreach(file IN LISTS files)

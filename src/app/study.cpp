@@ -6,6 +6,7 @@
 
 #include "app/report_document.hpp"
 #include "app/studies/attrition_run.hpp"
+#include "app/studies/calibration_run.hpp"
 #include "app/studies/cluster_case.hpp"
 #include "app/studies/cluster_run.hpp"
 #include "app/studies/orientation_run.hpp"
@@ -57,6 +58,10 @@ const std::vector<Study>& studies() {
           "attrition", "follow fiber lengths through a history of flow and temperature by a length law",
           describe_attrition, validate_attrition, estimate_attrition, run_attrition, resume_attrition,
           report_attrition}),
+      erase_type(StudyFunctions<CalibrationCase>{
+          "calibration", "fit the parameters of a length or orientation law to measurements",
+          describe_calibration, validate_calibration, estimate_calibration, run_calibration,
+          resume_calibration, report_calibration}),
       erase_type(StudyFunctions<OrientationCase>{
           "orientation", "follow the orientation tensor through a flow history by an orientation law",
           describe_orientation, validate_orientation, estimate_orientation, run_orientation,

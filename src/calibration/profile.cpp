@@ -14,6 +14,7 @@ namespace fiberfate {
 namespace {
 
 constexpr int most_doublings = 24;
+constexpr int most_bisections = 40;
 constexpr double end_tolerance = 1e-4;
 
 class ProfileWalk {
@@ -65,7 +66,8 @@ class ProfileWalk {
 
  private:
   double crossing(double inside, double outside, double width) {
-    while (std::abs(outside - inside) > end_tolerance * width) {
+    // Where the fit is exact, chi^2 is round-off and the bracket cannot shrink below that of its ends.
+    for (int i = 0; i < most_bisections && std::abs(outside - inside) > end_tolerance * width; ++i) {
       const double below = at(inside) - limit_, above = at(outside) - limit_;
       const double secant =
           std::isfinite(above) ? inside - below * (outside - inside) / (above - below) : inside;

@@ -258,6 +258,16 @@ TEST(ProfileTest, EndsWhereTheLeastSumOfSquaresReachesTheLimit) {
   }
 }
 
+TEST(ProfileTest, EndsWhereTheFitIsExact) {
+  std::vector<double> y;
+  for (const double x : line_x) y.push_back(1 + 2 * x);
+  const FitProblem problem = straight_line(line_x, y);
+  const FitResult result = fit(problem);
+  const ConfidenceInterval interval = profile(problem, result, 1).interval;
+  EXPECT_NEAR(interval.lower, 2, 1e-9);
+  EXPECT_NEAR(interval.upper, 2, 1e-9);
+}
+
 TEST(ProfileTest, IsOpenWhereDataDoNotBound) {
   const FitProblem problem = product_problem();
   const ConfidenceInterval open = profile(problem, fit(problem), 0).interval;

@@ -1,0 +1,143 @@
+// Checks a case of the study calibration.
+#include "app/studies/calibration_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/studies/calibration_data.hpp"
+#include "app/studies/calibration_model.hpp"
+#include "base/error.hpp"
+#include "base/units.hpp"
+
+namespace fiberfate {
+namespace {
+
+const LawParameter* parameter_named(const CalibrationCase& values, const std::string& name) {
+  const LawMenuItem* law = chosen_law(calibrated_menu(values), calibrated_law(values));
+  if (law == nullptr) return nullptr;
+  for (const LawParameter& parameter : law->parameters)
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+void require_parameter(const CalibrationCase& values, const std::string& key, const std::string& name,
+                       CaseChecker& checker) {
+  const LawMenuItem* law = chosen_law(calibrated_menu(values), calibrated_law(values));
+  if (law == nullptr || parameter_named(values, name) != nullptr) return;
+  std::vector<std::string> names;
+  for (const LawParameter& parameter : law->parameters) names.push_back(parameter.name);
+  const std::string_view near = nearest_word(name, names);
+  checker.error(key, fmt::format("the law {} has no parameter '{}'", law->name, name),
+                near.empty() ? fmt::format("its parameters are {}", fmt::join(names, ", "))
+                             : fmt::format("did you mean '{}'?", near));
+}
+
+void validate_choice_of_law(const CalibrationCase& values, CaseChecker& checker) {
+  const bool attrition = !values.law.name.empty(), orientation = calibrates_orientation(values);
+  if (attrition == orientation)
+    checker.error(attrition ? "orientation.name" : "law.name",
+                  attrition ? "two laws are given" : "no law is given",
+                  "give a name under [law] or under [orientation]");
+  validate_law(attrition_menu(), "law", values.law, checker);
+  validate_law(orientation_menu(), "orientation", values.orientation, checker);
+  if (attrition && values.conditions.viscosities.empty())
+    validate_law(viscosity_menu(), "melt", values.melt, checker);
+}
+
+void validate_conditions(const CalibrationCase& values, CaseChecker& checker) {
+  const CalibrationConditions& conditions = values.conditions;
+  const std::size_t count = conditions.names.size();
+  const auto check = [&](const char* key, std::size_t size) {
+    if (size > 1 && size != count)
+      checker.error(key, fmt::format("{} entries for {} conditions", size, count),
+                    "give one for each, or one for all");
+  };
+  check("conditions.rates", conditions.rates.size());
+  check("conditions.speeds", conditions.speeds.size());
+  check("conditions.viscosities", conditions.viscosities.size());
+  check("conditions.temperatures", conditions.temperatures.size());
+  check("conditions.pressures", conditions.pressures.size());
+  check("conditions.lengths", conditions.lengths.size());
+  check("conditions.compressions", conditions.compressions.size());
+  check("conditions.flows", conditions.flows.size());
+  if (conditions.rates.empty() == conditions.speeds.empty())
+    checker.error("conditions.rates",
+                  conditions.rates.empty() ? "no shear rates are given" : "rates and speeds are given",
+                  "give rates or speeds");
+  for (const std::string& flow : conditions.flows)
+    if (flow != "shear" && flow != "planar" && flow != "uniaxial" && flow != "biaxial")
+      checker.error("conditions.flows", fmt::format("there is no flow '{}'", flow),
+                    "give shear, planar, uniaxial or biaxial");
+  if (conditions.lengths.empty() && !calibrates_orientation(values))
+    checker.error("conditions.lengths", "not given; attrition starts from a length",
+                  "add lengths = [\"15 mm\"]");
+  if (values.fibers.form == LengthForm::means && (values.law.name == "phelps" || values.law.name == "durin"))
+    checker.error("fibers.form", "phelps and durin follow distributions only",
+                  "take form = \"distribution\"");
+}
+
+void validate_search(const CalibrationCase& values, CaseChecker& checker) {
+  for (const std::string& name : values.search.free) require_parameter(values, "fit.free", name, checker);
+  for (const std::string& name : values.search.linear) require_parameter(values, "fit.linear", name, checker);
+  for (const std::vector<std::string>& row : values.search.bounds) {
+    require_parameter(values, "fit.bounds", row[0], checker);
+    const LawParameter* parameter = parameter_named(values, row[0]);
+    if (parameter == nullptr) continue;
+    try {
+      if (!(quantity_in_si(row[1], parameter->unit) < quantity_in_si(row[2], parameter->unit)))
+        checker.error("fit.bounds", fmt::format("the bounds of {} are out of order", row[0]), "swap them");
+    } catch (const std::invalid_argument& problem) {
+      checker.error("fit.bounds", fmt::format("{}: {}", row[0], problem.what()), "give values with units");
+    }
+  }
+  if (!values.sweep.parameter.empty())
+    require_parameter(values, "sweep.parameter", values.sweep.parameter, checker);
+}
+
+}  // namespace
+
+const LawMenu& calibrated_menu(const CalibrationCase& values) {
+  return calibrates_orientation(values) ? orientation_menu() : attrition_menu();
+}
+
+const LawChoice& calibrated_law(const CalibrationCase& values) {
+  return calibrates_orientation(values) ? values.orientation : values.law;
+}
+
+void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
+  validate_choice_of_law(values, checker);
+  validate_conditions(values, checker);
+  validate_search(values, checker);
+  if (!checker.is_sound()) return;
+  try {
+    pose_calibration(values, read_measurements(values)).check();
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems())
+      checker.error("data.series", problem.complaint, problem.remedy);
+  }
+}
+
+CaseEstimate estimate_calibration(const CalibrationCase& values) {
+  CaseEstimate estimate;
+  const std::vector<MeasuredSeries> series = read_measurements(values);
+  std::size_t observations = 0;
+  for (const MeasuredSeries& one : series) observations += one.values.size();
+  estimate.facts = {{"observations", fmt::format("{}", observations)},
+                    {"free parameters", fmt::format("{}", values.search.free.size())}};
+  for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
+    const LengthFlow flow = condition_flow(values, i);
+    estimate.facts.emplace_back(values.conditions.names[i],
+                                fmt::format("{:.6g} 1/s, {:.6g} Pa s, {:.6g} Pa", flow.rate, flow.viscosity,
+                                            flow.rate * flow.viscosity));
+  }
+  const double fits = static_cast<double>(values.search.starts + values.search.bootstrap) + 20.0;
+  estimate.memory_bytes = 2e7;
+  estimate.wall_seconds = 0.02 * fits;
+  estimate.assumption = "20 ms a fit";
+  return estimate;
+}
+
+}  // namespace fiberfate
