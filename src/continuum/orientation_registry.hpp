@@ -47,7 +47,8 @@ struct NamedOrientationModel {
 /// Finds a choice by name; raises InputError with the nearest name.
 [[nodiscard]] RotaryDiffusion rotary_diffusion_named(std::string_view name);
 [[nodiscard]] Retardation retardation_named(std::string_view name);
-/// Makes a model of neutral constants (OrientationConstants) from a combination ("iard_rpr") or a diffusion ("iard") and closure
+/// Makes a model of neutral constants (OrientationConstants) from a combination ("iard_rpr") or a diffusion
+/// ("iard") and closure
 /// ("ibof").
 [[nodiscard]] OrientationModel orientation_model_named(std::string_view name, std::string_view closure);
 

@@ -138,7 +138,8 @@ FIBERFATE_INLINE RepulsionLoad repel(const RepulsionInput& in, const RepulsionLa
 
 }  // namespace
 
-void repel_rods(const RepulsionInput& input, const RepulsionLaw& law, int first, int last, RepulsionLoad* loads) {
+void repel_rods(const RepulsionInput& input, const RepulsionLaw& law, int first, int last,
+                RepulsionLoad* loads) {
   for (int rod = first; rod < last; ++rod) loads[rod] = repel(input, law, rod);
 }
 
