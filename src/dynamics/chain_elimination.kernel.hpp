@@ -108,112 +108,150 @@ FIBERFATE_INLINE Column transposed_times(const Block& m, const Column& v) {
   return {dot(m.a, v), dot(m.b, v), dot(m.c, v)};
 }
 
+FIBERFATE_INLINE Column minus(const Column& a, const Column& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+FIBERFATE_INLINE Column scaled(const Pack& f, const Column& v) {
+  return {f * v.x, f * v.y, f * v.z};
+}
+
+/// The unknowns that elimination works on: w_k, w_{k+1}, w_{k+2}, with their loads and couplings.
+struct Front {
+  Symmetric here, next, third;
+  Column here_load, next_load, third_load;
+  Block couple;   ///< w_k with w_{k+1}
+  Block couple2;  ///< w_{k+1} with w_{k+2}
+};
+
+/// What back substitution needs of node k:
+///   λ_k = rest − h1·w_{k+1} − h2·w_{k+2},   w_k = wf − w1 w_{k+1} − w2 w_{k+2} − wp λ_k
+struct Kept {
+  Block w1;
+  Symmetric w2;
+  Column wp, wf, h1, h2;
+  Pack rest;
+};
+
+FIBERFATE_INLINE void store_kept(double* f, const Kept& kept) {
+  const Column columns[7] = {kept.w1.a, kept.w1.b, kept.w1.c, kept.wp, kept.wf, kept.h1, kept.h2};
+  for (int c = 0; c < 7; ++c) store_column(f + 3 * c * lanes, columns[c]);
+  const Pack packs[7] = {kept.w2.xx, kept.w2.yy, kept.w2.zz, kept.w2.yz, kept.w2.zx, kept.w2.xy, kept.rest};
+  for (int c = 0; c < 7; ++c) store(f + (21 + c) * lanes, packs[c]);
+}
+
+FIBERFATE_INLINE Kept load_kept(const double* f) {
+  const auto column = [f](int c) { return load_column(f + 3 * c * lanes); };
+  return {{column(0), column(1), column(2)},
+          load_symmetric(f + 21 * lanes),
+          column(3),
+          column(4),
+          column(5),
+          column(6),
+          load(f + 27 * lanes)};
+}
+
+FIBERFATE_INLINE Front first_front(const double* first, const double* second) {
+  Front front;
+  front.here = load_symmetric(first + ChainSystem::diagonal * lanes);
+  front.here_load = load_column(first + ChainSystem::load * lanes);
+  front.couple = full(load_symmetric(first + ChainSystem::coupling * lanes));
+  front.next = load_symmetric(second + ChainSystem::diagonal * lanes);
+  front.next_load = load_column(second + ChainSystem::load * lanes);
+  return front;
+}
+
+/// Takes node k + 2 into the front; where there is none, node k couples with nothing beyond and any record
+/// serves.
+FIBERFATE_INLINE void take_third(Front& front, const double* second, const double* third) {
+  front.couple2 = full(load_symmetric(second + ChainSystem::coupling * lanes));
+  front.third = load_symmetric(third + ChainSystem::diagonal * lanes);
+  front.third_load = load_column(third + ChainSystem::load * lanes);
+}
+
+/// Eliminates w_k: its Schur complement goes to w_{k+1} and w_{k+2}. `s` couples w_k with w_{k+2}.
+FIBERFATE_INLINE void eliminate_velocity(Front& front, const Pack& s, const Column& p, Kept& kept) {
+  const Factor factor = factorise(front.here);
+  const Block& couple = front.couple;
+  kept.w1 = {solve(factor, couple.a), solve(factor, couple.b), solve(factor, couple.c)};
+  const Symmetric inv = inverse(factor);
+  kept.w2 = {s * inv.xx, s * inv.yy, s * inv.zz, s * inv.yz, s * inv.zx, s * inv.xy};
+  kept.wp = solve(factor, {-p.x, -p.y, -p.z});
+  kept.wf = solve(factor, front.here_load);
+
+  subtract_gram(front.next, couple, kept.w1);
+  const Block w2 = full(kept.w2);
+  front.couple2.a = minus(front.couple2.a, transposed_times(couple, w2.a));
+  front.couple2.b = minus(front.couple2.b, transposed_times(couple, w2.b));
+  front.couple2.c = minus(front.couple2.c, transposed_times(couple, w2.c));
+  front.third.xx -= s * kept.w2.xx;
+  front.third.yy -= s * kept.w2.yy;
+  front.third.zz -= s * kept.w2.zz;
+  front.third.yz -= s * kept.w2.yz;
+  front.third.zx -= s * kept.w2.zx;
+  front.third.xy -= s * kept.w2.xy;
+  front.next_load = minus(front.next_load, transposed_times(couple, kept.wf));
+  front.third_load = minus_scaled(front.third_load, s, kept.wf);
+}
+
+/// Eliminates λ_k: pivot, couplings to w_{k+1} and w_{k+2}, right-hand side.
+FIBERFATE_INLINE void eliminate_tension(Front& front, const double* record, const Pack& s, const Column& p,
+                                        Kept& kept) {
+  const Pack reciprocal = 1.0 / (load(record + ChainSystem::regular * lanes) + dot(p, kept.wp));
+  const Pack rest = load(record + ChainSystem::stretch * lanes) + dot(p, kept.wf);
+  const Column g1 = minus(p, transposed_times(front.couple, kept.wp));
+  const Column g2 = scaled(-s, kept.wp);
+  kept.h1 = scaled(reciprocal, g1);
+  kept.h2 = scaled(reciprocal, g2);
+  kept.rest = rest * reciprocal;
+  subtract_square(front.next, g1, kept.h1);
+  subtract_square(front.third, g2, kept.h2);
+  front.couple2.a = minus_scaled(front.couple2.a, kept.h2.x, g1);
+  front.couple2.b = minus_scaled(front.couple2.b, kept.h2.y, g1);
+  front.couple2.c = minus_scaled(front.couple2.c, kept.h2.z, g1);
+  front.next_load = minus_scaled(front.next_load, rest, kept.h1);
+  front.third_load = minus_scaled(front.third_load, rest, kept.h2);
+}
+
+FIBERFATE_INLINE void advance_front(Front& front) {
+  front.here = front.next;
+  front.here_load = front.next_load;
+  front.next = front.third;
+  front.next_load = front.third_load;
+  front.couple = front.couple2;
+}
+
+/// Subtracts M v from a column, M by columns.
+FIBERFATE_INLINE Column minus_product(const Column& a, const Block& m, const Column& v) {
+  return minus_scaled(minus_scaled(minus_scaled(a, v.x, m.a), v.y, m.b), v.z, m.c);
+}
+
 }  // namespace
 
 /// Solves the systems of `nodes` nodes each (at least 2).
 void eliminate_chains(double* records, double* factors, int nodes) {
-  constexpr int size = ChainSystem::size;
-  const auto record = [&](int k) { return records + static_cast<long>(k) * size * lanes; };
-  const auto kept = [&](int k) { return factors + static_cast<long>(k) * ChainSystem::kept * lanes; };
-  const Pack zero = broadcast(0);
+  const auto record = [=](int k) { return records + static_cast<long>(k) * ChainSystem::size * lanes; };
+  const auto kept_at = [=](int k) { return factors + static_cast<long>(k) * ChainSystem::kept * lanes; };
 
-  Symmetric here = load_symmetric(record(0) + ChainSystem::diagonal * lanes);
-  Column here_load = load_column(record(0) + ChainSystem::load * lanes);
-  Block couple = full(load_symmetric(record(0) + ChainSystem::coupling * lanes));
-  Symmetric next = load_symmetric(record(1) + ChainSystem::diagonal * lanes);
-  Column next_load = load_column(record(1) + ChainSystem::load * lanes);
-
+  Front front = first_front(record(0), record(1));
   for (int k = 0; k + 1 < nodes; ++k) {
-    const double* r = record(k);
-    const bool has_third = k + 2 < nodes;
-    const double* r1 = record(k + 1);
-    const double* r2 = record(has_third ? k + 2 : k + 1);
-    const Pack s = load(r + ChainSystem::second * lanes);
-    const Column p = load_column(r + ChainSystem::direction * lanes);
-
-    const Factor factor = factorise(here);
-    const Block w1 = {solve(factor, couple.a), solve(factor, couple.b), solve(factor, couple.c)};
-    const Symmetric inv = inverse(factor);
-    const Symmetric w2 = {s * inv.xx, s * inv.yy, s * inv.zz, s * inv.yz, s * inv.zx, s * inv.xy};
-    const Column minus_p = {-p.x, -p.y, -p.z};
-    const Column wp = solve(factor, minus_p);
-    const Column wf = solve(factor, here_load);
-
-    // Schur complement of w_k.
-    subtract_gram(next, couple, w1);
-    const Block w2_full = full(w2);
-    Block couple2 = full(load_symmetric(r1 + ChainSystem::coupling * lanes));
-    if (!has_third) couple2 = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
-    const auto minus = [](const Column& a, const Column& b) {
-      return Column{a.x - b.x, a.y - b.y, a.z - b.z};
-    };
-    couple2.a = minus(couple2.a, transposed_times(couple, w2_full.a));
-    couple2.b = minus(couple2.b, transposed_times(couple, w2_full.b));
-    couple2.c = minus(couple2.c, transposed_times(couple, w2_full.c));
-    Symmetric third = load_symmetric(r2 + ChainSystem::diagonal * lanes);
-    Column third_load = load_column(r2 + ChainSystem::load * lanes);
-    third.xx -= s * w2.xx;
-    third.yy -= s * w2.yy;
-    third.zz -= s * w2.zz;
-    third.yz -= s * w2.yz;
-    third.zx -= s * w2.zx;
-    third.xy -= s * w2.xy;
-    next_load = minus(next_load, transposed_times(couple, wf));
-    third_load = minus_scaled(third_load, s, wf);
-
-    // λ_k: pivot, couplings to w_{k+1} and w_{k+2}, right-hand side.
-    const Pack pivot = load(r + ChainSystem::regular * lanes) - dot(minus_p, wp);
-    const Pack reciprocal = 1.0 / pivot;
-    const Column g1 = {p.x - dot(couple.a, wp), p.y - dot(couple.b, wp), p.z - dot(couple.c, wp)};
-    const Column g2 = {-s * wp.x, -s * wp.y, -s * wp.z};
-    const Pack rest = load(r + ChainSystem::stretch * lanes) - dot(minus_p, wf);
-    const Column h1 = {g1.x * reciprocal, g1.y * reciprocal, g1.z * reciprocal};
-    const Column h2 = {g2.x * reciprocal, g2.y * reciprocal, g2.z * reciprocal};
-    subtract_square(next, g1, h1);
-    subtract_square(third, g2, h2);
-    couple2.a = minus_scaled(couple2.a, h2.x, g1);
-    couple2.b = minus_scaled(couple2.b, h2.y, g1);
-    couple2.c = minus_scaled(couple2.c, h2.z, g1);
-    next_load = minus_scaled(next_load, rest, h1);
-    third_load = minus_scaled(third_load, rest, h2);
-
-    double* f = kept(k);
-    store_column(f, w1.a);
-    store_column(f + 3 * lanes, w1.b);
-    store_column(f + 6 * lanes, w1.c);
-    store(f + 9 * lanes, w2.xx);
-    store(f + 10 * lanes, w2.yy);
-    store(f + 11 * lanes, w2.zz);
-    store(f + 12 * lanes, w2.yz);
-    store(f + 13 * lanes, w2.zx);
-    store(f + 14 * lanes, w2.xy);
-    store_column(f + 15 * lanes, wp);
-    store_column(f + 18 * lanes, wf);
-    store_column(f + 21 * lanes, h1);
-    store_column(f + 24 * lanes, h2);
-    store(f + 27 * lanes, rest * reciprocal);
-
-    here = next;
-    here_load = next_load;
-    next = third;
-    next_load = third_load;
-    couple = couple2;
+    take_third(front, record(k + 1), record(k + 2 < nodes ? k + 2 : k + 1));
+    const Pack s = load(record(k) + ChainSystem::second * lanes);
+    const Column p = load_column(record(k) + ChainSystem::direction * lanes);
+    Kept kept;
+    eliminate_velocity(front, s, p, kept);
+    eliminate_tension(front, record(k), s, p, kept);
+    store_kept(kept_at(k), kept);
+    advance_front(front);
   }
 
-  Column w = solve(factorise(here), here_load);
+  Column w = solve(factorise(front.here), front.here_load);
+  Column beyond = {broadcast(0), broadcast(0), broadcast(0)};
   store_column(record(nodes - 1) + ChainSystem::load * lanes, w);
-  Column beyond = {zero, zero, zero};
   for (int k = nodes - 2; k >= 0; --k) {
-    const double* f = kept(k);
-    const Column h1 = load_column(f + 21 * lanes);
-    const Column h2 = load_column(f + 24 * lanes);
-    const Pack tension = load(f + 27 * lanes) - dot(h1, w) - dot(h2, beyond);
-    const Block w1 = {load_column(f), load_column(f + 3 * lanes), load_column(f + 6 * lanes)};
-    const Block w2 = full(load_symmetric(f + 9 * lanes));
-    const Column wp = load_column(f + 15 * lanes);
-    Column v = minus_scaled(load_column(f + 18 * lanes), tension, wp);
-    v = minus_scaled(minus_scaled(minus_scaled(v, w.x, w1.a), w.y, w1.b), w.z, w1.c);
-    v = minus_scaled(minus_scaled(minus_scaled(v, beyond.x, w2.a), beyond.y, w2.b), beyond.z, w2.c);
+    const Kept kept = load_kept(kept_at(k));
+    const Pack tension = kept.rest - dot(kept.h1, w) - dot(kept.h2, beyond);
+    const Column v = minus_product(minus_product(minus_scaled(kept.wf, tension, kept.wp), kept.w1, w),
+                                   full(kept.w2), beyond);
     store_column(record(k) + ChainSystem::load * lanes, v);
     store(record(k) + ChainSystem::stretch * lanes, tension);
     beyond = w;

@@ -41,6 +41,9 @@ void describe_fibers(KeyTable& table, FiberChoices& fibers) {
                   .range = Range::between(100, 25000),
                   .example = "\"2550 kg/m3\"",
                   .source = "E glass"});
+}
+
+void describe_amount(KeyTable& table, FiberChoices& fibers) {
   table.quantity(
       "fibers.rod_length", fibers.rod_length,
       {.text = "Wanted length of the rigid rods of which a flexible fiber is a chain. A fiber is cut into "
@@ -159,6 +162,7 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
        .example = "\"0.75 mm\"",
        .source = "thesis table 6"});
   describe_fibers(table, sample.fibers);
+  describe_amount(table, sample.fibers);
   describe_lengths(table, sample.fibers.length_histogram);
   table.section("matrix", "The melt between the fibers.");
   table.quantity("matrix.density", sample.matrix_density,
