@@ -67,7 +67,8 @@ LegacyNamelist::LegacyNamelist(const std::string& path) : path_(path) {
       entries_.back().values = values_in(body.substr(values_begin, place - values_begin));
     values_begin = place + static_cast<std::size_t>(match->length());
     const int index = (*match)[2].matched ? std::stoi((*match)[2].str().substr(0, 4)) : 0;
-    entries_.push_back({lowered((*match)[1].str()), index, {}, line_at(text, body_begin + place)});
+    entries_.push_back(
+        {lowered((*match)[1].str()), (*match)[1].str(), index, {}, line_at(text, body_begin + place)});
   }
   if (!entries_.empty()) entries_.back().values = values_in(body.substr(values_begin));
 }
@@ -85,6 +86,7 @@ InputProblem LegacyNamelist::problem(const std::string& key, const std::string& 
   problem.key = key;
   if (const NamelistEntry* entry = find(key)) {
     problem.line = entry->line;
+    problem.key = entry->written;
     problem.value = fmt::format("{}", fmt::join(entry->values, " "));
   }
   return problem;

@@ -12,6 +12,7 @@ namespace fiberfate {
 /// Holds one entry of a namelist: `key = values` or `key(index) = value`.
 struct NamelistEntry {
   std::string key;                  ///< in lower case
+  std::string written;              ///< the key as it stands in the file
   int index = 0;                    ///< from 1; 0 where none is given
   std::vector<std::string> values;  ///< as written
   int line = 0;

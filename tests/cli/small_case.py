@@ -7,6 +7,9 @@ import subprocess
 import numpy
 
 PROGRAM = os.environ.get("FIBERFATE", "fiberfate")
+FIBERS = 40
+RODS = 12
+ROD_LENGTH = 60e-6
 
 CASE = """study = "shear_cell"
 
@@ -19,7 +22,7 @@ size = "0.5 mm"
 
 [fibers]
 diameter = "19 um"
-youngs_modulus = "73 GPa"
+youngs_modulus = "10 GPa"
 
 [cluster]
 source = "file"
@@ -40,7 +43,7 @@ checkpoint_interval = "0.02 s"
 """
 
 
-def write_fibers(path, fibers=24, rods=8, rod_length=60e-6, cell=0.5e-3, seed=3):
+def write_fibers(path, fibers=FIBERS, rods=RODS, rod_length=ROD_LENGTH, cell=0.5e-3, seed=3):
     """Writes straight fibers that lie anywhere in the cell."""
     random = numpy.random.default_rng(seed)
     with open(path, "w", newline="", encoding="utf-8") as file:

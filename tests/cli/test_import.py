@@ -104,7 +104,7 @@ def broken(tmp_path, file, old, new):
     ("r_fiber      = 9.5d-6", "", r"Fibers\.in: r_fiber: Fibers\.in does not give it"),
     ("r_fiber      = 9.5d-6", "r_fiber = 0", r"Fibers\.in:9: r_fiber = 0: it is not positive"),
     ("flow_case    = 1\n", "flow_case = 7\n", r"Fibers\.in:15: flow_case = 7: only 1 .* and 1848"),
-    ("TensorOrBeads = 2", "TensorOrBeads = 3", r"Fibers\.in:25: TensorOrBeads = 3: only 1 .* and 2"),
+    ("TensorOrBeads = 2", "TensorOrBeads = 3", r"Fibers\.in:26: TensorOrBeads = 3: only 1 .* and 2"),
     ("box_size(3)  = 3.0d-4,", "", r"box_size = .*only 2 of 3 components"),
     ("coo_omega    = 0 0 0\n/", "coo_omega = 0 0 0", r"Fibers\.in:\d+: the namelist &input has no end"),
     ("&input", "&output", r"Fibers\.in:1: there is no namelist &input"),
@@ -117,7 +117,7 @@ def test_what_is_wrong_in_the_namelist_is_named(tmp_path, old, new, message):
 
 
 @pytest.mark.parametrize("old, new, message", [
-    ("F  3.0d-4  1.0d-4  1.5d-4", "F  3.0d-4  1.0d-4", r"Initial_Positions\.txt:6: .* should stand here"),
+    ("F  3.0d-4  1.0d-4  1.5d-4", "F  3.0d-4  1.0d-4", r"Initial_Positions\.txt:7: .* should stand here"),
     ("F  2.0d-4", "F  two", r"Initial_Positions\.txt:4: 'two' is not a number; x of node 2 of fiber 1"),
     ("T  4.0d-4  2.5d-4  0.8d-4\n", "", r"Initial_Positions\.txt:\d+: the file ends where .*node 4 of fiber 3"),
     ("3\n3\n", "2\n3\n", r"Initial_Positions\.txt:9: '4' stands after the last row"),
