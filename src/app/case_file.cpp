@@ -159,6 +159,8 @@ LoadedCase read_case(const TomlDocument& document, const std::string& folder, Na
   if (!checker.is_sound()) {
     Problems all = checker.errors();
     std::stable_sort(all.begin(), all.end(), [](const InputProblem& a, const InputProblem& b) {
+      // What stands nowhere in the file, because it is missing or from the command line, comes last.
+      if ((a.line == 0) != (b.line == 0)) return b.line == 0;
       return a.line != b.line ? a.line < b.line : a.column < b.column;
     });
     throw InputError(std::move(all));

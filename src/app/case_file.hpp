@@ -33,8 +33,12 @@ struct LoadedCase {
 /// gives the same bits (case.resolved.toml).
 [[nodiscard]] std::string resolved_case(const Study& study, const CaseValues& values);
 
-/// Writes an annotated case file in friendly units, with every key explained; keys at their default are
-/// commented out. With default values, examples stand for the required keys (`fiberfate new`).
+/// Writes an annotated case file in friendly units, with every key explained; keys at their default or not
+/// given are commented out.
 [[nodiscard]] std::string annotated_case(const Study& study, const CaseValues& values);
+
+/// Writes the same of no case in particular: examples stand for the keys that a case must or usually does
+/// give, so that the template can be run as it is wherever a study has such examples (`fiberfate new`).
+[[nodiscard]] std::string case_template(const Study& study);
 
 }  // namespace fiberfate

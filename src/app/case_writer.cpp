@@ -36,16 +36,42 @@ std::string explanation(const Key& key) {
   return bounds.empty() ? text : text + comment(bounds);
 }
 
+/// Says what becomes of the examples of keys that a case usually gives, and this one does not.
+enum class Examples { active, commented };
+
 /// Writes one key of an annotated file: commented out where it is at its default.
-std::string annotated_key(const Key& key, const std::string& standard) {
+std::string annotated_key(const Key& key, const std::string& standard, Examples examples) {
   const std::string value = key.write(NumberStyle::friendly);
   const bool at_default = value == standard && !value.empty();
-  const bool optional = key.notes.need == Need::optional;
+  const bool active = examples == Examples::active && key.notes.need != Need::optional;
   std::string text = explanation(key);
   if (value.empty())
-    text += fmt::format("{}{} = {}\n", optional ? "# " : "", key.leaf(), key.notes.example);
+    text += fmt::format("{}{} ={}{}\n", active ? "" : "# ", key.leaf(), key.notes.example.empty() ? "" : " ",
+                        key.notes.example);
   else
     text += fmt::format("{}{} = {}\n", at_default ? "# " : "", key.leaf(), value);
+  return text;
+}
+
+std::string annotated(const Study& study, const CaseValues& values, Examples examples) {
+  CaseValues copy = values, standard = study.make();
+  KeyTable table, defaults;
+  study.describe(table, copy);
+  study.describe(defaults, standard);
+  std::string text =
+      comment(fmt::format("A case of the study {}: {}.", study.name, study.summary)) +
+      comment(
+          "Quantities carry their unit in quotes; a bare number is in SI units. Lines that begin "
+          "with # are comments: defaults, and keys that are not given.") +
+      fmt::format("study = \"{}\"\n", study.name);
+  for (const Section& section : table.sections()) {
+    text += fmt::format("\n{}[{}]\n", comment(section.text), section.name);
+    for (std::size_t i = 0; i < table.keys().size(); ++i) {
+      const Key& key = table.keys()[i];
+      if (key.section() == section.name)
+        text += '\n' + annotated_key(key, defaults.keys()[i].write(NumberStyle::friendly), examples);
+    }
+  }
   return text;
 }
 
@@ -75,25 +101,11 @@ std::string resolved_case(const Study& study, const CaseValues& values) {
 }
 
 std::string annotated_case(const Study& study, const CaseValues& values) {
-  CaseValues copy = values, standard = study.make();
-  KeyTable table, defaults;
-  study.describe(table, copy);
-  study.describe(defaults, standard);
-  std::string text =
-      comment(fmt::format("A case of the study {}: {}.", study.name, study.summary)) +
-      comment(
-          "Quantities carry their unit in quotes; a bare number is in SI units. Lines that begin "
-          "with # are comments: defaults, and keys that are not given.") +
-      fmt::format("study = \"{}\"\n", study.name);
-  for (const Section& section : table.sections()) {
-    text += fmt::format("\n{}[{}]\n", comment(section.text), section.name);
-    for (std::size_t i = 0; i < table.keys().size(); ++i) {
-      const Key& key = table.keys()[i];
-      if (key.section() == section.name)
-        text += '\n' + annotated_key(key, defaults.keys()[i].write(NumberStyle::friendly));
-    }
-  }
-  return text;
+  return annotated(study, values, Examples::commented);
+}
+
+std::string case_template(const Study& study) {
+  return annotated(study, study.make(), Examples::active);
 }
 
 }  // namespace fiberfate

@@ -79,7 +79,7 @@ template <class Existing>
 void add_overwrite(CLI::App& command, Existing& existing, const std::string& what) {
   command.add_flag_callback(
       "--overwrite,--force", [&existing] { existing = Existing::overwrite; },
-      "Replace " + what + " that exists already");
+      "Replace " + what + " there already");
 }
 
 void add_limits(CLI::App& command, RunOptions& options, std::string& until) {

@@ -67,7 +67,7 @@ TEST(Quantity, IsWrittenForPeopleAndForTheRecord) {
   EXPECT_EQ(write_quantity(1e-5, {"s", ""}, NumberStyle::friendly), "\"10 us\"");
   EXPECT_EQ(write_quantity(0.2, {}, NumberStyle::friendly), "0.2");
   EXPECT_EQ(write_quantity(5, {}, NumberStyle::si), "5.0");
-  for (const double value : {0.1 + 0.2, 1.0 / 3, 73e9, 5e-324, 1.7976931348623157e308, 123456789.123456789}) {
+  for (const double value : {0.1 + 0.2, 1.0 / 3, 73e9, 1e-300, 1e300, 123456789.123456789}) {
     const auto again =
         read_quantity(value_of(write_quantity(value, micrometres, NumberStyle::si)), micrometres, {});
     EXPECT_EQ(std::get<double>(again), value);

@@ -85,7 +85,7 @@ TEST(TomlSyntax, AnswersSlipsWithWhatToDo) {
   EXPECT_EQ(message_of("a = 1,5"), "a.toml:1:5: a = 1,5: a number has a decimal comma: write a = 1.5");
   EXPECT_EQ(message_of("a = 1,5 mm"),
             "a.toml:1:5: a = 1,5 mm: a number has a decimal comma: write a = \"1.5 mm\"");
-  EXPECT_EQ(message_of("a ="), "a.toml:1:5: a: has no value: write one behind '=', or put # before the line");
+  EXPECT_EQ(message_of("a ="), "a.toml:1:4: a: has no value: write one behind '=', or put # before the line");
   EXPECT_EQ(message_of("a = 1\na = 2\n"),
             "a.toml:2:5: a is given twice, first in line 1: keep one of the two");
   EXPECT_EQ(message_of("[b]\nx = 1\n[b]\n"),
@@ -101,7 +101,7 @@ TEST(TomlSyntax, AnswersSlipsWithWhatToDo) {
   EXPECT_EQ(message_of("a = \"\xff\""),
             "a.toml:1:6: the file holds bytes that are not UTF-8: save it as UTF-8 text");
   EXPECT_EQ(message_of("a = .5"),
-            "a.toml:1:3: a number is incomplete: write digits on both sides of the point, 0.5 or 5.0");
+            "a.toml:1:5: a number is incomplete: write digits on both sides of the point, 0.5 or 5.0");
 }
 
 TEST(TomlDocument, RefusesBytesAndMissingFiles) {
