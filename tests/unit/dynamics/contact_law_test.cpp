@@ -14,13 +14,12 @@ double published_force(const ContactParameters& contact, double distance) {
   return contact.force_constant * 2 * radius * std::exp(-contact.decay * (distance / radius - 2));
 }
 
-// Where rods overlap by more than 1.4 radii the ramp, carried on, is the lesser force and takes over.
 TEST(NormalForce, IsThePublishedLawBelowTheRamp) {
   ContactParameters contact;
   for (const double cutoff : {2.0, 2.5}) {
     contact.cutoff = cutoff;
     const NormalForce force(contact, radius);
-    for (const double overlap : {0.15, 0.5, 1.0, 1.3}) {
+    for (const double overlap : {0.15, 0.5, 1.0, 1.3, 1.9}) {
       const double distance = (cutoff - overlap) * radius;
       EXPECT_DOUBLE_EQ(force(distance), published_force(contact, distance)) << overlap;
     }
