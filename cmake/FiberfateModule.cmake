@@ -48,6 +48,7 @@ function(fiberfate_module name)
   target_include_directories(fiberfate_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/fiberfate>)
+  target_compile_features(fiberfate_${name} PUBLIC cxx_std_20)
   target_link_libraries(fiberfate_${name}
     PUBLIC ${arg_DEPENDS} ${arg_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:fiberfate_flags> ${arg_PRIVATE_LIBRARIES})

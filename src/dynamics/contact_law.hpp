@@ -13,6 +13,7 @@ namespace fiberfate {
 /// whose jump at d_cut is replaced by a ramp of width `ramp`, centred on d_cut, so that force and step
 /// converge:
 ///   F_N = min(F_0 (1/2 − (d − d_cut)/ramp), A 2a exp(−B (d/a − 2))),   F_0 = A 2a exp(−B (cutoff − 2))
+/// for d > d_cut − ramp, continuous as long as B ramp < 0.4 a.
 /// Source: thesis (3.14), with d in units of the radius as its program computes it; the ramp is ours.
 class NormalForce {
  public:
@@ -28,9 +29,10 @@ class NormalForce {
   [[nodiscard]] double operator()(double distance) const {
     const double rise = step_ * (0.5 - (distance - cutoff_) / ramp_);
     if (rise <= 0) return 0;
-    // The ramp is below the exponential over its whole width except near its inner end.
+    // The ramp is below the exponential over its own width, except near its inner end, where they cross.
     if (distance > cutoff_ - 0.4 * ramp_) return rise;
-    return std::min(rise, strength_ * std::exp(-decay_ * (distance - touch_)));
+    const double exponential = strength_ * std::exp(-decay_ * (distance - touch_));
+    return distance < cutoff_ - ramp_ ? exponential : std::min(rise, exponential);
   }
 
   /// Returns an upper bound of −dF_N/dd in N/m at and around a distance where the force is `force`.
