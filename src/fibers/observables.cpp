@@ -51,8 +51,7 @@ MeanLengths mean_lengths(const FiberState& state) {
 
 Mat3 orientation_tensor(const FiberState& state, Weighting weighting) {
   Mat3 tensor = Mat3::Zero();
-  visit_rods(state, weighting,
-             [&](const Vec3& p, double weight) { tensor += weight * (p * p.transpose()); });
+  visit_rods(state, weighting, [&](const Vec3& p, double weight) { tensor += weight * (p * p.transpose()); });
   return tensor;
 }
 

@@ -19,14 +19,16 @@ struct MeanLengths {
 };
 [[nodiscard]] MeanLengths mean_lengths(const FiberState& state);
 
-/// Second-order orientation tensor A2 = <p p>. `length`: every rod by its length. `number`: every fiber counts one,
-/// its rods share it by their lengths.
+/// Second-order orientation tensor A2 = <p p>. `length`: every rod by its length. `number`: every fiber
+/// counts one, its rods share it by their lengths.
 [[nodiscard]] Mat3 orientation_tensor(const FiberState& state, Weighting weighting);
 
-/// Fourth-order orientation tensor A4 = <p p p p> as 6×6 plain components in the order 11, 22, 33, 23, 31, 12.
+/// Fourth-order orientation tensor A4 = <p p p p> as 6×6 plain components in the order 11, 22, 33, 23,
+/// 31, 12.
 [[nodiscard]] Eigen::Matrix<double, 6, 6> orientation_tensor4(const FiberState& state, Weighting weighting);
 
-/// Counts fibers by length, or sums their lengths, in bins with the given rising edges (m); the last bin is closed.
+/// Counts fibers by length, or sums their lengths, in bins with the given rising edges (m); the last bin is
+/// closed.
 [[nodiscard]] std::vector<double> length_histogram(const FiberState& state, std::span<const double> edges,
                                                    Weighting weighting);
 

@@ -50,7 +50,7 @@ void append_histogram(const LengthClasses& population, double time, const std::v
 std::vector<double> even_edges(double longest, std::int64_t bins) {
   std::vector<double> edges;
   for (std::int64_t i = 0; i <= bins; ++i)
-    edges.push_back(longest * static_cast<double>(i) / static_cast<double>(bins));
+    edges.push_back(longest * (static_cast<double>(i) / static_cast<double>(bins)));
   return edges;
 }
 

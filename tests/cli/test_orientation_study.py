@@ -1,0 +1,88 @@
+"""Orientation: known steady states from the command line, and what a user is told."""
+from pathlib import Path
+
+import pytest
+
+from small_case import column, run, summary
+
+CASES = Path(__file__).resolve().parents[2] / "cases"
+IARD = """study = "orientation"
+[diffusion]
+name = "iard"
+C_I = 0.02
+C_M = {c_m}
+[flow]
+kind = "{kind}"
+rate = "1 1/s"
+[run]
+duration = "5 s"
+"""
+
+
+def result_of(tmp_path, case, *words):
+    tmp_path.mkdir(exist_ok=True)
+    folder = tmp_path / "result"
+    run("run", case, "--out", folder, *words)
+    return folder, summary(folder)
+
+
+def written(tmp_path, text):
+    case = tmp_path / "case.toml"
+    case.write_text(text, encoding="utf-8")
+    return case
+
+
+def trace(tensor):
+    return tensor[0][0] + tensor[1][1] + tensor[2][2]
+
+
+def test_steady_shear_with_and_without_closure(tmp_path):
+    folder, values = result_of(tmp_path, CASES / "10_orientation_shear" / "case.toml")
+    assert values["distribution_A2"][0][0] == pytest.approx(0.7271243, abs=1e-5)
+    assert values["A2"][0][0] == pytest.approx(0.77691, abs=1e-4)
+    assert trace(values["A2"]) == pytest.approx(1, abs=1e-14)
+    assert values["projections"] == 0
+    assert values["strain"] == pytest.approx(100)
+    time, a11 = column(folder, "time_s"), column(folder, "a11")
+    assert len(time) == 201 and time[0] == 0 and time[-1] == 100
+    assert a11[0] == pytest.approx(1 / 3) and a11[-1] == values["A2"][0][0]
+    assert column(folder, "distribution_a11")[-1] == values["distribution_A2"][0][0]
+
+
+def test_retardation_slows_but_does_not_move_the_steady_state(tmp_path):
+    case = CASES / "11_iard_rpr" / "case.toml"
+    _, slow = result_of(tmp_path / "slow", case)
+    _, fast = result_of(tmp_path / "fast", case, "--set", "retardation.alpha=0")
+    assert slow["A2"][0][0] == pytest.approx(fast["A2"][0][0], abs=0.05)
+    assert trace(slow["A2"]) == pytest.approx(1, abs=1e-14)
+    early_slow = column(tmp_path / "slow" / "result", "a11")[2]
+    early_fast = column(tmp_path / "fast" / "result", "a11")[2]
+    assert early_slow < 0.5 < early_fast
+
+
+def test_a_table_of_gradients(tmp_path):
+    folder, values = result_of(tmp_path, CASES / "12_injection_history" / "case.toml")
+    time, a22 = column(folder, "time_s"), column(folder, "a22")
+    behind_the_gate = [a for t, a in zip(time, a22) if t <= 0.85][-1]
+    assert behind_the_gate > [a for t, a in zip(time, a22) if t <= 0.5][-1]
+    assert values["shape_factor"] == pytest.approx(624 / 626)
+
+
+def test_doubtful_diffusion_is_told(tmp_path):
+    doubtful = run("check", written(tmp_path, IARD.format(c_m=0.9, kind="uniaxial")))
+    assert "indefinite" in doubtful.stdout + doubtful.stderr
+    sound = run("check", written(tmp_path, IARD.format(c_m=0.9, kind="shear")))
+    assert "indefinite" not in sound.stdout + sound.stderr
+
+
+@pytest.mark.parametrize("old, new, words", [
+    ("C_M = 0.9", "", ["diffusion.C_M", "iard needs it"]),
+    ("C_M = 0.9", "C_M = 1.2", ["diffusion.C_M"]),
+    ('rate = "1 1/s"', "", ["flow.rate"]),
+    ('name = "iard"', 'name = "iarrd"', ["did you mean", "iard"]),
+    ('kind = "shear"', 'kind = "mixed"', ["flow.elongation_rate"])])
+def test_faults_are_told(tmp_path, old, new, words):
+    case = written(tmp_path, IARD.format(c_m=0.9, kind="shear").replace(old, new))
+    refused = run("check", case, expect=2)
+    for word in words:
+        assert word in refused.stdout + refused.stderr
