@@ -173,7 +173,7 @@ void validate_generated(const SampleCase& sample, CaseChecker& checker) {
 
 void validate_single(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused({"cluster.file"}, "cluster.source = \"file\"");
-  checker.warn_unused({"cluster.orientation", "cluster.law", "cluster.minimum_radius",
+  checker.warn_unused({"cluster.orientation", "cluster.law", "cluster.swelling", "cluster.minimum_radius",
                        "cluster.overlap_tolerance", "cluster.orientation_tolerance", "cluster.step_limit"},
                       "cluster.source = \"generate\"");
   const std::string source = checker.cite("cluster.source");
@@ -197,8 +197,8 @@ void validate_from_file(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused(
       {"fibers.length", "fibers.rod_length", "fibers.count", "fibers.volume_fraction",
        "fibers.weight_fraction", "fibers.length_histogram.edges", "fibers.length_histogram.heights",
-       "cluster.orientation", "cluster.law", "cluster.minimum_radius", "cluster.overlap_tolerance",
-       "cluster.orientation_tolerance", "cluster.step_limit"},
+       "cluster.orientation", "cluster.law", "cluster.swelling", "cluster.minimum_radius",
+       "cluster.overlap_tolerance", "cluster.orientation_tolerance", "cluster.step_limit"},
       generate);
   const bool tells_its_cell = sample.cluster.file.ends_with(".h5");
   if (!tells_its_cell && !sample.cluster.file.empty())
@@ -234,6 +234,7 @@ PackingRequest packing_request(const SampleCase& sample, const ContactParameters
   PackingRequest request;
   request.orientation.tensor = cluster.orientation;
   request.orientation.law = cluster.law;
+  request.swelling = cluster.swelling;
   request.minimum_radius = cluster.minimum_radius;
   request.overlap_tolerance = cluster.overlap_tolerance;
   request.orientation_tolerance = cluster.orientation_tolerance;

@@ -42,6 +42,7 @@ struct ClusterChoices {
   std::optional<Vec3> direction;            ///< of source = "fiber"; of any length but zero
   Mat3 orientation = Mat3::Identity() / 3;  ///< wanted A2, length-weighted
   OrientationDistribution law = OrientationDistribution::angular_central_gaussian;
+  double swelling = PackingRequest{}.swelling;  ///< in diameters
   double minimum_radius =
       PackingRequest{}.minimum_radius;  ///< smallest radius of curvature wanted, m; 0: none
   double overlap_tolerance = PackingRequest{}.overlap_tolerance;          ///< in diameters

@@ -133,6 +133,12 @@ void describe_packing(KeyTable& table, ClusterChoices& cluster) {
         "a mixture of isotropic, planar and aligned fibers, as in the thesis"}},
       {.text = "How directions with that tensor are distributed.", .source = "thesis section 3.2.1"});
   table.quantity(
+      "cluster.swelling", cluster.swelling,
+      {.text =
+           "Distance in diameters from which fibers repel each other while packing spreads them. More gives "
+           "straighter fibers, but spaces them more evenly than chance.",
+       .range = Range::between(1, 20)});
+  table.quantity(
       "cluster.minimum_radius", cluster.minimum_radius,
       {.text = "Smallest radius of curvature that packing may bend a fiber to; 0 bends as little as it can.",
        .unit = "m",
