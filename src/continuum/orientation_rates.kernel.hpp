@@ -44,7 +44,7 @@ FIBERFATE_INLINE Eight read(const OrientationPoints& points, std::size_t first, 
 
 FIBERFATE_INLINE void write(const OrientationPoints& points, std::size_t first, int filled,
                             const Symmetric& a) {
-  const Pack* component = &a.c11;
+  const Pack component[6] = {a.c11, a.c22, a.c33, a.c23, a.c31, a.c12};
   for (int m = 0; m < 6; ++m) scatter(points.result[m], points.result_stride, first, filled, component[m]);
 }
 
