@@ -86,3 +86,10 @@ def test_faults_are_told(tmp_path, old, new, words):
     refused = run("check", case, expect=2)
     for word in words:
         assert word in refused.stdout + refused.stderr
+
+
+def test_a_new_case_runs(tmp_path):
+    run("new", "orientation", tmp_path / "fresh")
+    _, values = result_of(tmp_path, tmp_path / "fresh" / "case.toml")
+    assert values["diffusion"] == "folgar_tucker" and values["C_I"] == 0.01
+    assert values["A2"][0][0] == pytest.approx(0.7769, abs=1e-3)

@@ -53,7 +53,7 @@ struct OrientationSolutionChoices {
 };
 
 struct OrientationCase {
-  LawChoice diffusion;
+  LawChoice diffusion = {"", {{"C_I", 0.01}}};  ///< 0.01 is in the middle of what is measured
   LawChoice retardation = {"none", {}};
   OrientationFlowChoices flow;
   OrientationFiberChoices fibers;

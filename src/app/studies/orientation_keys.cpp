@@ -91,7 +91,7 @@ void describe_solution(KeyTable& table, OrientationSolutionChoices& solution) {
 void describe_orientation(KeyTable& table, OrientationCase& values) {
   describe_law(table, diffusion_menu(),
                {"diffusion", "Rotary diffusion: how fibers disturb each other (docs/theory/orientation.md).",
-                "\"iard\"", Need::required},
+                "\"folgar_tucker\"", Need::required},
                values.diffusion);
   describe_law(
       table, retardation_menu(),
