@@ -25,8 +25,9 @@ struct OrientationRequest {
   std::vector<Vec3> directions;  ///< where not empty: dealt to the fibers, and their moment replaces `tensor`
 };
 
-/// Holds the contact law under which the packing comes to rest: the one that will be run (see
-/// dynamics/parameters.hpp). F = A D min(ramp from d_cut a + ramp/2 to d_cut a − ramp/2, exp(−B (d/a − 2))).
+/// Holds the contact law under which the packing comes to rest: the one that will be run
+/// (dynamics/contact_law.hpp): F = min(ramp of that width, centred on d_cut = cutoff a, A D exp(−B (d/a −
+/// 2))), taken for the thickest fiber.
 struct RestLaw {
   double force_constant = 500;  ///< A, N/m
   double decay = 2;             ///< B
@@ -73,8 +74,12 @@ struct PackingResult {
 };
 
 /// Packs the fibers (docs/theory/packing.md). The result is bitwise the same for any number of threads.
-/// Raises InputError for requests that cannot be met by any packing, and SimulationFailure with what was
-/// reached when none was found within the step limit.
+///
+/// Overlap, smallest radius and orientation are as asked. Then the packing is brought to rest under `rest`,
+/// without friction; that equilibrium is returned where its overlap stays below 2 % of a diameter and the
+/// radius above the one wanted, else the packing before; the report tells which, and both. Raises InputError
+/// for requests that cannot be met by any packing, and SimulationFailure with what was reached when none was
+/// found within the step limit.
 [[nodiscard]] PackingResult pack(const PackingRequest& request,
                                  const std::function<void(const PackingProgress&)>& progress = {});
 

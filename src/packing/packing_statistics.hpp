@@ -18,6 +18,12 @@ struct PairDistanceBin {
   double random = 0;     ///< the same expected of fibers of these directions placed at random
 };
 
+/// Says how a packing was left.
+enum class PackingEnd {
+  separated,  ///< without overlap, bent fibers held by nothing
+  at_rest,    ///< in equilibrium of bending and contact under the law that will be run
+};
+
 /// Says what was asked for and what came out.
 struct PackingReport {
   Mat3 orientation_asked = Mat3::Zero();    ///< A2, length-weighted
@@ -30,7 +36,10 @@ struct PackingReport {
   double contacts_per_fiber = 0;  ///< places where another fiber is nearer than 1.05 diameters
   double contacts_random = 0;     ///< the same expected of fibers placed at random (Toll 1998)
   std::vector<PairDistanceBin> pair_distances;
-  int steps = 0;  ///< minimisation steps
+  PackingEnd end = PackingEnd::separated;
+  double overlap_at_rest = 0;         ///< largest overlap in the equilibrium under the contact law, diameters
+  double minimum_radius_at_rest = 0;  ///< smallest radius of curvature there, m
+  int steps = 0;                      ///< minimisation steps
   double wall_seconds = 0;
 };
 

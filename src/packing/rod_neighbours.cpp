@@ -1,9 +1,7 @@
 // Finds the rods near each rod with a grid in fractional coordinates of the cell.
 #include "packing/rod_neighbours.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/threads.hpp"
@@ -15,76 +13,13 @@ namespace {
 constexpr std::ptrdiff_t chunk_size = 128;
 // A rod this far away, in diameters, touches nothing: padding of the lists.
 constexpr double nowhere = 1e6;
-// Grid cells per largest centre distance of two listed rods: finer cells test fewer pairs but walk more
-// cells.
-constexpr double grid_refinement = 2;
 constexpr int lanes = 8;
-
-struct Range {
-  int low, high;
-};
-
-int floor_divide(int a, int b) {
-  return (a >= 0 ? a : a - b + 1) / b;
-}
-
-/// Collects the neighbours of one chunk of slots.
-struct ChunkLists {
-  std::vector<std::int32_t> rod, image, count;
-};
 
 }  // namespace
 
-/// Divides the cell into boxes; images beyond the cell are numbered by how often it was left.
-struct RodNeighbours::Grid {
-  Grid(const Chains& chains, const NeighbourRange& range)
-      : cell(chains.cell), to_fraction(cell.lattice.inverse()) {
-    double longest = 0, thickest = 0;
-    for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-      longest = std::max(longest, chains.rod_length[f]);
-      thickest = std::max(thickest, chains.radius[f]);
-    }
-    const double farthest = longest + 2 * thickest * range.swelling + range.reach + range.skin;
-    for (int i = 0; i < 3; ++i) {
-      const double height = cell.height(i);
-      count[i] = std::max(1, static_cast<int>(height * grid_refinement / farthest));
-      periodic[static_cast<std::size_t>(i)] =
-          cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic;
-      span[i] = static_cast<int>(std::ceil(farthest * count[i] / height));
-      if (periodic[static_cast<std::size_t>(i)])
-        farthest_image = std::max(farthest_image, (span[i] + count[i] - 1) / count[i]);
-    }
-  }
-
-  [[nodiscard]] IntVec3 box(const Vec3& point) const {
-    const Vec3 fraction = to_fraction * point;
-    IntVec3 at;
-    for (int i = 0; i < 3; ++i)
-      at[i] = std::clamp(static_cast<int>(std::floor(fraction[i] * count[i])), 0, count[i] - 1);
-    return at;
-  }
-  [[nodiscard]] std::int32_t number(const IntVec3& box) const {
-    return (box[2] * count[1] + box[1]) * count[0] + box[0];
-  }
-  [[nodiscard]] std::int32_t number_of_image(const IntVec3& image) const {
-    const int side = 2 * farthest_image + 1;
-    return ((image[2] + farthest_image) * side + image[1] + farthest_image) * side + image[0] +
-           farthest_image;
-  }
-  [[nodiscard]] IntVec3 image(const IntVec3& box) const {
-    return {floor_divide(box[0], count[0]), floor_divide(box[1], count[1]), floor_divide(box[2], count[2])};
-  }
-  [[nodiscard]] Range around(const IntVec3& box, int i) const {
-    if (periodic[static_cast<std::size_t>(i)]) return {box[i] - span[i], box[i] + span[i]};
-    return {std::max(0, box[i] - span[i]), std::min(count[i] - 1, box[i] + span[i])};
-  }
-
-  const Cell& cell;
-  Mat3 to_fraction;
-  IntVec3 count, span;
-  std::array<bool, 3> periodic{};
-  int farthest_image = 0;
-  std::vector<std::int32_t> first_slot;  ///< by box
+/// The neighbours of one chunk of slots, padded for each of them.
+struct RodNeighbours::ChunkLists {
+  std::vector<std::int32_t> rod, image, count;
 };
 
 /// Candidates of one rod, padded to full packs for the distance kernel.
@@ -92,7 +27,9 @@ struct RodNeighbours::Candidates {
   std::vector<std::int32_t> rod, image, found;
   std::vector<double> distance;
 
-  void pad(std::int32_t dummy, std::int32_t no_image) {
+  std::int32_t no_image = 0;
+
+  void pad(std::int32_t dummy) {
     while (rod.size() % lanes != 0) {
       rod.push_back(dummy);
       image.push_back(no_image);
@@ -101,7 +38,7 @@ struct RodNeighbours::Candidates {
   }
 };
 
-void RodNeighbours::sort(const Chains& chains, const NeighbourRange&, Grid& grid) {
+void RodNeighbours::sort(const Chains& chains, RodGrid& grid) {
   const std::size_t nodes = chains.position.size();
   rods_ = nodes - chains.rod_length.size();
   slot_of_node_.assign(nodes, -1);
@@ -115,7 +52,7 @@ void RodNeighbours::sort(const Chains& chains, const NeighbourRange&, Grid& grid
       box_of_node[k] = grid.number(grid.box(centre - wrap_[k]));
     }
   });
-  const auto boxes = static_cast<std::size_t>(grid.count.prod());
+  const auto boxes = static_cast<std::size_t>(grid.count().prod());
   grid.first_slot.assign(boxes + 1, 0);
   for (const std::int32_t box : box_of_node) {
     if (box >= 0) ++grid.first_slot[static_cast<std::size_t>(box) + 1];
@@ -147,7 +84,7 @@ void RodNeighbours::refresh(const Chains& chains, std::size_t fiber) {
   }
 }
 
-void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, const Grid& grid) {
+void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, const RodGrid& grid) {
   records_.resize(rods_ + 1);
   records_[rods_] = RodRecord{};
   records_[rods_].centre[0] = nowhere;
@@ -163,7 +100,7 @@ void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, c
       reach_[at] = 0.5 * chains.rod_length[fiber] + range.swelling * chains.radius[fiber];
     }
   });
-  const int most = grid.farthest_image;
+  const int most = grid.farthest_image();
   shifts_.assign(static_cast<std::size_t>((2 * most + 1) * (2 * most + 1) * (2 * most + 1)), ImageShift{});
   IntVec3 image;
   for (image[2] = -most; image[2] <= most; ++image[2]) {
@@ -190,7 +127,7 @@ bool RodNeighbours::is_own_neighbour(const Chains& chains, const NeighbourRange&
   return along < 2 * (range.swelling * 2 * chains.radius[fiber] + range.reach);
 }
 
-void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, const Grid& grid,
+void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, const RodGrid& grid,
                             std::size_t subject, Candidates& candidates) const {
   const SearchKernel search = search_kernel();
   const CentreArrays centres = {x_.data(), y_.data(), z_.data(), reach_.data()};
@@ -203,16 +140,16 @@ void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, c
   rod.sphere = rod.tube + half;
   candidates.rod.clear();
   candidates.image.clear();
-  const Range y = grid.around(box, 1), z = grid.around(box, 2);
+  const BoxRange y = grid.around(box, 1), z = grid.around(box, 2);
   IntVec3 at;
   for (at[2] = z.low; at[2] <= z.high; ++at[2]) {
     for (at[1] = y.low; at[1] <= y.high; ++at[1]) {
-      Range x = grid.around(box, 0);
+      BoxRange x = grid.around(box, 0);
       while (x.low <= x.high) {
         at[0] = x.low;
         const IntVec3 image = grid.image(at);
-        const IntVec3 inside = at - image.cwiseProduct(grid.count);
-        const int run = std::min(x.high - x.low + 1, grid.count[0] - inside[0]);
+        const IntVec3 inside = at - image.cwiseProduct(grid.count());
+        const int run = std::min(x.high - x.low + 1, grid.count()[0] - inside[0]);
         x.low += run;
         const auto number = static_cast<std::size_t>(grid.number(inside));
         const std::int32_t image_number = grid.number_of_image(image);
@@ -234,69 +171,68 @@ void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, c
   }
 }
 
-void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, const Grid& grid) {
+void RodNeighbours::keep_near(const NeighbourRange& range, std::size_t subject, const Candidates& candidates,
+                              ChunkLists& lists) const {
+  const auto dummy = static_cast<std::int32_t>(rods_);
+  std::int32_t kept = 0;
+  for (std::size_t k = 0; k < candidates.rod.size(); ++k) {
+    if (candidates.rod[k] == dummy) continue;
+    const double touching =
+        records_[subject].radius + records_[static_cast<std::size_t>(candidates.rod[k])].radius;
+    if (candidates.distance[k] >= range.swelling * touching + range.reach + range.skin) continue;
+    lists.rod.push_back(candidates.rod[k]);
+    lists.image.push_back(candidates.image[k]);
+    ++kept;
+  }
+  lists.count.push_back(kept);
+  while (lists.rod.size() % lanes != 0) {
+    lists.rod.push_back(dummy);
+    lists.image.push_back(candidates.no_image);
+  }
+}
+
+void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, const RodGrid& grid) {
   const auto chunks = (rod_count() + chunk_size - 1) / chunk_size;
   std::vector<ChunkLists> found(static_cast<std::size_t>(chunks));
   const DistanceKernel measure = distance_kernel();
-  const auto dummy = static_cast<std::int32_t>(rods_);
-  const std::int32_t no_image = grid.number_of_image(IntVec3::Zero());
-
   parallel_for(chunks, [&](std::ptrdiff_t c) {
-    ChunkLists& lists = found[static_cast<std::size_t>(c)];
     Candidates candidates;
+    candidates.no_image = grid.number_of_image(IntVec3::Zero());
     const std::ptrdiff_t last = std::min(rod_count(), (c + 1) * chunk_size);
     for (std::ptrdiff_t s = c * chunk_size; s < last; ++s) {
       const auto subject = static_cast<std::size_t>(s);
       collect(chains, range, grid, subject, candidates);
-      candidates.pad(dummy, no_image);
+      candidates.pad(static_cast<std::int32_t>(rods_));
       const RepulsionInput arrays = {records_.data(), nullptr, candidates.rod.data(), candidates.image.data(),
                                      shifts_.data()};
       measure(arrays, static_cast<int>(s), static_cast<int>(candidates.rod.size()),
               candidates.distance.data());
-      std::int32_t kept = 0;
-      for (std::size_t k = 0; k < candidates.rod.size(); ++k) {
-        if (candidates.rod[k] == dummy) continue;
-        const double touching =
-            records_[subject].radius + records_[static_cast<std::size_t>(candidates.rod[k])].radius;
-        if (candidates.distance[k] >= range.swelling * touching + range.reach + range.skin) continue;
-        lists.rod.push_back(candidates.rod[k]);
-        lists.image.push_back(candidates.image[k]);
-        ++kept;
-      }
-      lists.count.push_back(kept);
-      while (lists.rod.size() % lanes != 0) {
-        lists.rod.push_back(dummy);
-        lists.image.push_back(no_image);
-      }
+      keep_near(range, subject, candidates, found[static_cast<std::size_t>(c)]);
     }
   });
+  join(found);
+}
 
+void RodNeighbours::join(const std::vector<ChunkLists>& found) {
   begin_.assign(rods_ + 1, 0);
   listed_ = 0;
-  std::vector<std::size_t> offset(found.size() + 1, 0);
   std::size_t slot = 0;
-  for (std::size_t c = 0; c < found.size(); ++c) {
-    offset[c + 1] = offset[c] + found[c].rod.size();
-    for (const std::int32_t count : found[c].count) {
+  rod_.clear();
+  image_.clear();
+  for (const ChunkLists& lists : found) {
+    rod_.insert(rod_.end(), lists.rod.begin(), lists.rod.end());
+    image_.insert(image_.end(), lists.image.begin(), lists.image.end());
+    for (const std::int32_t count : lists.count) {
       begin_[slot + 1] = begin_[slot] + (count + lanes - 1) / lanes * lanes;
       listed_ += count;
       ++slot;
     }
   }
-  rod_.resize(offset.back());
-  image_.resize(offset.back());
-  parallel_for(chunks, [&](std::ptrdiff_t c) {
-    const auto i = static_cast<std::size_t>(c);
-    std::copy(found[i].rod.begin(), found[i].rod.end(),
-              rod_.begin() + static_cast<std::ptrdiff_t>(offset[i]));
-    std::copy(found[i].image.begin(), found[i].image.end(),
-              image_.begin() + static_cast<std::ptrdiff_t>(offset[i]));
-  });
 }
 
 void RodNeighbours::build(const Chains& chains, const NeighbourRange& range) {
-  Grid grid(chains, range);
-  sort(chains, range, grid);
+  RodGrid grid(chains, range);
+  sort(chains, grid);
   arrange(chains, range, grid);
   list(chains, range, grid);
 }

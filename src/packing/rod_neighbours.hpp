@@ -7,17 +7,10 @@
 
 #include "base/vector.hpp"
 #include "packing/chains.hpp"
+#include "packing/rod_grid.hpp"
 #include "packing/rod_repulsion.hpp"
 
 namespace fiberfate {
-
-/// Says how far to look: pairs are listed whose axes are nearer than swelling · (sum of radii) + reach +
-/// skin.
-struct NeighbourRange {
-  double swelling = 1;
-  double reach = 0;
-  double skin = 0;
-};
 
 /// Names a rod near another one.
 struct NeighbourRod {
@@ -47,19 +40,22 @@ class RodNeighbours {
   [[nodiscard]] std::int64_t listed() const { return listed_; }
 
  private:
-  struct Grid;
+  struct ChunkLists;
   struct Candidates;
   struct ImagedRod {
     std::size_t slot;
     std::int32_t image;
   };
-  void sort(const Chains& chains, const NeighbourRange& range, Grid& grid);
-  void arrange(const Chains& chains, const NeighbourRange& range, const Grid& grid);
-  void collect(const Chains& chains, const NeighbourRange& range, const Grid& grid, std::size_t subject,
+  void sort(const Chains& chains, RodGrid& grid);
+  void arrange(const Chains& chains, const NeighbourRange& range, const RodGrid& grid);
+  void collect(const Chains& chains, const NeighbourRange& range, const RodGrid& grid, std::size_t subject,
                Candidates& candidates) const;
   [[nodiscard]] bool is_own_neighbour(const Chains& chains, const NeighbourRange& range, std::size_t subject,
                                       const ImagedRod& other) const;
-  void list(const Chains& chains, const NeighbourRange& range, const Grid& grid);
+  void keep_near(const NeighbourRange& range, std::size_t subject, const Candidates& candidates,
+                 ChunkLists& lists) const;
+  void join(const std::vector<ChunkLists>& found);
+  void list(const Chains& chains, const NeighbourRange& range, const RodGrid& grid);
 
   std::size_t rods_ = 0;
   std::int64_t listed_ = 0;

@@ -6,6 +6,9 @@ import subprocess
 
 import numpy
 
+# Threads of tests that run beside each other must not spin against one another.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
 PROGRAM = os.environ.get("FIBERFATE", "fiberfate")
 FIBERS = 40
 RODS = 12

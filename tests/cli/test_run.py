@@ -142,9 +142,9 @@ def test_a_file_that_holds_no_fibers_leaves_nothing(tmp_path):
 
 def test_progress_in_a_pipe_is_plain_lines(tmp_path):
     case = write_case(tmp_path, CASE.replace('duration = "20 ms"', 'duration = "2 s"'))
-    done = run("run", case, "--out", tmp_path / "r", "--until", "40 ms", "--progress", "line")
+    done = run("run", case, "--out", tmp_path / "r", "--until", "10 ms", "--progress", "line")
     assert "\x1b[K" in done.stderr, "the line renews itself"
-    assert re.search(r"of 0\.04 s, .*L_N .* mm, L_W .* mm, step .* s \(\w+\)", done.stderr)
+    assert re.search(r"of 0\.01 s, .*L_N .* mm, L_W .* mm, step .* s \(\w+\)", done.stderr)
     quiet = run("run", case, "--out", tmp_path / "q", "--until", "1 ms")
     assert "\x1b" not in quiet.stderr
 

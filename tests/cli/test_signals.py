@@ -10,7 +10,7 @@ import pytest
 from small_case import CASE, PROGRAM, run, series, summary, write_case
 from test_resume import assert_same_result
 
-LONG = CASE.replace('duration = "20 ms"', 'duration = "300 ms"').replace('frame_interval = "4 ms"',
+LONG = CASE.replace('duration = "20 ms"', 'duration = "150 ms"').replace('frame_interval = "4 ms"',
                                                                         'frame_interval = "2 ms"')
 
 
@@ -44,7 +44,7 @@ def test_a_signal_stops_after_a_checkpoint(whole, tmp_path, number):
     _, complaint = process.communicate(timeout=60)
     assert process.returncode == 4, complaint
     assert summary(result)["stop_reason"] == "signal"
-    assert 0 < summary(result)["simulated_s"] < 0.3
+    assert 0 < summary(result)["simulated_s"] < 0.15
     with h5py.File(result / "checkpoint.h5") as file:
         assert file["state"].attrs["time"] == summary(result)["simulated_s"]
     run("resume", result, "--threads", 1)

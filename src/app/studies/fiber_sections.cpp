@@ -103,13 +103,14 @@ std::vector<Fact> outcome_facts(const SummaryFile& summary) {
 
 FactsSection effort_section(const SummaryFile& summary) {
   FactsSection section{"effort", "Effort", {}};
-  section.rows = {
-      {"Wall time", summary.number("wall_s"), "s"},
-      {"Processor time", summary.number("cpu_s"), "s"},
-      {"Threads", summary.count("threads")},
-      {"Steps", summary.count("steps")},
-      {"Rod-steps a second", summary.number("segment_steps_per_s"), "", "of stepping, without output"},
-      {"Largest memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
+  section.rows = {{"Wall time", summary.number("wall_s"), "s"},
+                  {"Processor time", summary.number("cpu_s"), "s"},
+                  {"Threads", summary.count("threads")},
+                  {"Largest memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
+  if (summary.count("steps") == 0) return section;
+  section.rows.push_back({"Steps", summary.count("steps")});
+  section.rows.push_back(
+      {"Rod-steps a second", summary.number("segment_steps_per_s"), "", "of stepping, without output"});
   const std::vector<double> seconds = summary.timings();
   for (std::size_t phase = 0; phase < phase_count; ++phase)
     section.rows.push_back({std::string("Phase ") + phase_names[phase], seconds[phase], "s"});

@@ -25,8 +25,8 @@ PackingRequest crowded_request() {
 TEST(Pack, IsBitwiseTheSameForAnyNumberOfThreads) {
   const int before = thread_count();
   PackingRequest request = crowded_request();
-  request.fibers.assign(120, {1e-3, 25, 0});  // enough rods for three threads
-  request.cell = rectangular_cell(Vec3::Constant(0.6e-3));
+  request.fibers.assign(50, {1e-3, 40, 0});  // enough rods for three threads
+  request.cell = rectangular_cell(Vec3::Constant(0.45e-3));
   use_threads(1);
   const PackingResult one = pack(request);
   use_threads(3);
@@ -66,6 +66,19 @@ TEST(Pack, LeavesDiluteFibersExactlyStraight) {
   EXPECT_TRUE(std::isinf(result.report.minimum_radius));
   EXPECT_EQ(result.report.mean_curvature, 0);
   EXPECT_LT(result.report.largest_overlap, 0.01);
+}
+
+// The overlap at rest follows from the balance of bending and contact: softer fibers sink in less.
+TEST(Pack, ReportsTheEquilibriumUnderTheContactLaw) {
+  PackingRequest request = crowded_request();
+  const PackingReport stiff = pack(request).report;
+  request.materials[0].youngs_modulus = 1e9;
+  const PackingResult soft = pack(request);
+  EXPECT_GT(stiff.overlap_at_rest, soft.report.overlap_at_rest);
+  EXPECT_EQ(soft.report.end, PackingEnd::at_rest);
+  EXPECT_EQ(soft.report.largest_overlap, soft.report.overlap_at_rest);
+  EXPECT_LT(soft.report.overlap_at_rest, 0.02);
+  EXPECT_EQ(soft.report.minimum_radius, minimum_radius(soft.state));
 }
 
 TEST(Pack, MeetsTheRadiusWanted) {

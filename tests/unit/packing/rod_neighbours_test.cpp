@@ -44,6 +44,12 @@ std::vector<Pair> brute_force(const Chains& chains, const NeighbourRange& range,
             const double contact = range.swelling * (chains.radius[f] + chains.radius[g]) + range.reach;
             if (!possible || (image.isZero() && excluded(chains, f, k, m, contact))) continue;
             const Vec3 shift = chains.cell.shift(image);
+            const double farthest =
+                0.5 * (chains.rod_length[f] + chains.rod_length[g]) + contact + range.skin;
+            const Vec3 apart = 0.5 * (chains.position[k] + chains.position[k + 1] - chains.position[m] -
+                                      chains.position[m + 1]) -
+                               shift;
+            if (apart.squaredNorm() > farthest * farthest) continue;
             const double distance =
                 closest_points({chains.position[k], chains.position[k + 1]},
                                {chains.position[m] + shift, chains.position[m + 1] + shift})

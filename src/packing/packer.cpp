@@ -1,0 +1,192 @@
+// Runs the stages of packing: spread, part or bend, settle, ease, rest.
+#include "packing/packer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/constants.hpp"
+#include "base/error.hpp"
+
+namespace fiberfate {
+namespace {
+
+// Lengths are in thickest diameters D, stiffness in units of the contact stiffness k, bending stiffness B of
+// the stiffest fiber in k D³.
+constexpr double spread_stiffness = 0.01;  // so softly that they pass through one another
+constexpr double spread_bending = 70;      // and stay nearly straight
+constexpr double spread_rod = 9;           // long rods do while fibers spread: fewer of them
+constexpr Index spread_rods = 4;           // but at least this many a fiber
+constexpr int spread_steps = 200;
+constexpr double straight_limit = 5;  // straight fibers fit below a volume fraction of about 5 D / L
+constexpr int straight_steps = 2000;
+constexpr int clearance_steps = 200;
+constexpr double first_bending = 7;  // that of glass of 19 um under the default contact law
+constexpr double bending_decay = 0.1;
+constexpr double least_bending = 1e-4;
+constexpr int bending_steps = 100;
+constexpr double barrier_stiffness = 0.5;
+constexpr double barrier_share = 0.5;   // of the mean radius of curvature: the smallest radius first aimed at
+constexpr double barrier_decay = 0.97;  // by which the aim is lowered while fibers still overlap
+constexpr double barrier_margin = 1.01;  // over the radius wanted
+constexpr int barrier_steps = 60;
+constexpr double orientation_stiffness = 20;
+constexpr int rest_steps = 400;
+constexpr int report_interval = 20;
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+Index final_rods(const FiberBlank& fiber) {
+  return fiber.rods;
+}
+
+}  // namespace
+
+Packer::Packer(const PackingRequest& request, const std::function<void(const PackingProgress&)>& progress)
+    : request_(request), progress_(progress), unit_(thickest_diameter(request)) {
+  std::vector<double> lengths;
+  for (const FiberBlank& fiber : request.fibers) lengths.push_back(fiber.length);
+  const OrientationRequest& asked = request.orientation;
+  const bool measured = !asked.directions.empty();
+  const std::vector<Vec3> directions =
+      measured ? deal_orientations(asked.directions, lengths.size(), request.seed)
+               : sample_orientations(asked.tensor, lengths, asked.law, request.seed);
+  target_ = measured ? second_moment(directions, lengths) : asked.tensor;
+  straight_ = straight_chains(request, directions);
+}
+
+PackingEnergy Packer::plain_energy() const {
+  PackingEnergy energy;
+  energy.orientation = orientation_stiffness;
+  energy.barrier = barrier_stiffness;
+  return energy;
+}
+
+Chains Packer::separate() {
+  if (may_stay_straight() && part_straight()) return divide_chains(straight_, request_, final_rods);
+  Chains coarse = divide_chains(straight_, request_, [this](const FiberBlank& fiber) {
+    const auto wanted = static_cast<Index>(std::lround(fiber.length / unit_ / spread_rod));
+    return std::min(fiber.rods, std::max(wanted, spread_rods));
+  });
+  spread(coarse);
+  Chains chains = divide_chains(coarse, request_, final_rods);
+  bend(chains);
+  return chains;
+}
+
+bool Packer::may_stay_straight() const {
+  double volume = 0, longest = 0;
+  bool one_rod = true;
+  for (std::size_t f = 0; f < request_.fibers.size(); ++f) {
+    volume += pi * straight_.radius[f] * straight_.radius[f] * straight_.rod_length[f];
+    longest = std::max(longest, 0.5 * straight_.rod_length[f] / straight_.radius[f]);
+    one_rod = one_rod && request_.fibers[f].rods == 1;
+  }
+  return one_rod || volume / straight_.cell.volume() < straight_limit / longest;
+}
+
+void Packer::spread(Chains& chains) {
+  Minimiser minimiser(chains, target_);
+  PackingEnergy energy = plain_energy();
+  energy.bending = spread_bending;
+  energy.repulsion.swelling = request_.swelling;
+  energy.repulsion.stiffness = spread_stiffness;
+  stage_ = "spread";
+  relax(minimiser, energy, spread_steps, {-1, 0});
+}
+
+bool Packer::part_straight() {
+  spread(straight_);
+  Minimiser minimiser(straight_, target_);
+  PackingEnergy energy = plain_energy();
+  // Straight fibers hold no contacts: part them beyond the reach of the contact law where there is room.
+  const double reach = 0.5 * request_.rest.ramp / unit_;
+  energy.repulsion.reach = 1.5 * reach;
+  stage_ = "part";
+  const bool parted = relax(minimiser, energy, straight_steps, {request_.overlap_tolerance, unlimited});
+  if (parted) relax(minimiser, energy, clearance_steps, {-reach, unlimited});
+  minimiser.finish();
+  return parted;
+}
+
+void Packer::bend(Chains& chains) {
+  Minimiser minimiser(chains, target_);
+  minimiser.finish();
+  PackingEnergy energy = plain_energy();
+  energy.bending = first_bending;
+  energy.barrier_radius = request_.minimum_radius / unit_;
+  const double wanted = request_.minimum_radius / unit_;
+  const Goal goal = {request_.overlap_tolerance, wanted > 0 ? 1 / wanted : unlimited};
+  stage_ = "bend";
+  relax(minimiser, energy, bending_steps, {-1, 0});
+  energy.barrier_radius = std::max(barrier_share * mean_radius(chains), barrier_margin * wanted);
+  stage_ = "settle";
+  for (energy.bending *= bending_decay; energy.bending > least_bending; energy.bending *= bending_decay) {
+    if (relax(minimiser, energy, bending_steps, goal)) break;
+  }
+  ease(minimiser, energy, goal);
+  minimiser.finish();
+}
+
+void Packer::ease(Minimiser& minimiser, PackingEnergy energy, const Goal& goal) {
+  stage_ = "ease";
+  const double wanted = barrier_margin * request_.minimum_radius / unit_;
+  while (!is_met(goal)) {
+    if (steps_ >= request_.step_limit) give_up();
+    if (relax(minimiser, energy, barrier_steps, goal)) return;
+    energy.barrier_radius = std::max(wanted, barrier_decay * energy.barrier_radius);
+  }
+}
+
+void Packer::rest(Chains& chains) {
+  double stiffest = 0;
+  for (const FiberMaterial& material : request_.materials)
+    stiffest = std::max(stiffest, material.bending_stiffness());
+  const RestLaw& law = request_.rest;
+  if (!(law.force_constant > 0) || !(law.ramp > 0)) return;
+  const double stiffness = law.force_constant * unit_ * std::exp(-law.decay * (law.cutoff - 2)) / law.ramp;
+  PackingEnergy energy;
+  energy.bending = stiffest / (stiffness * std::pow(unit_, 3));
+  energy.orientation = orientation_stiffness;
+  energy.repulsion.swelling = law.cutoff / 2;
+  energy.repulsion.reach = 0.5 * law.ramp / unit_;
+  energy.repulsion.saturation = law.ramp / unit_;
+  energy.repulsion.decay = 2 * law.decay;
+  stage_ = "rest";
+  Minimiser minimiser(chains, target_);
+  relax(minimiser, energy, rest_steps, {-1, 0});
+  minimiser.finish();
+}
+
+bool Packer::is_met(const Goal& goal) const {
+  return last_.largest_overlap < goal.overlap && last_.largest_bend <= goal.bend &&
+         last_.orientation_error < request_.orientation_tolerance;
+}
+
+bool Packer::relax(Minimiser& minimiser, const PackingEnergy& energy, int steps, const Goal& goal) {
+  minimiser.use(energy);
+  for (int i = 0; i < steps && steps_ < request_.step_limit; ++i, ++steps_) {
+    last_ = minimiser.step();
+    if (progress_ && steps_ % report_interval == 0)
+      progress_({stage_, steps_, std::max(0.0, last_.largest_overlap), unit_ / last_.largest_bend,
+                 last_.orientation_error});
+    if (!is_met(goal)) continue;
+    // What step() tells is of the positions before it: look at the present ones.
+    last_ = minimiser.measure();
+    if (is_met(goal)) return true;
+  }
+  last_ = minimiser.measure();
+  return false;
+}
+
+void Packer::give_up() const {
+  throw SimulationFailure(
+      fmt::format(
+          "no packing was found in {} steps: overlap {:.3g} diameters at a smallest radius of {:.4g} m; "
+          "ask for a smaller radius, a lower concentration or a larger overlap tolerance",
+          steps_, std::max(0.0, last_.largest_overlap), unit_ / last_.largest_bend),
+      {});
+}
+
+}  // namespace fiberfate

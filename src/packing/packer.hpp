@@ -1,0 +1,51 @@
+// Runs the stages of packing: spread, part or bend, settle, ease, rest.
+#pragma once
+
+#include <functional>
+
+#include "packing/chain_shapes.hpp"
+#include "packing/minimiser.hpp"
+#include "packing/packing.hpp"
+
+namespace fiberfate {
+
+/// Packs one request (docs/theory/packing.md has the reasons of the stages).
+class Packer {
+ public:
+  Packer(const PackingRequest& request, const std::function<void(const PackingProgress&)>& progress);
+  /// Finds a packing without overlap; raises SimulationFailure when there is none within the step limit.
+  [[nodiscard]] Chains separate();
+  /// Lets chains come to rest under the request's contact law and the fibers' own stiffness, without
+  /// friction.
+  void rest(Chains& chains);
+
+  [[nodiscard]] const Mat3& target() const { return target_; }
+  [[nodiscard]] int steps() const { return steps_; }
+
+ private:
+  struct Goal {
+    double overlap = 0;  ///< diameters
+    double bend = 0;     ///< largest curvature, per unit of length
+  };
+  [[nodiscard]] PackingEnergy plain_energy() const;
+  [[nodiscard]] bool may_stay_straight() const;
+  [[nodiscard]] bool part_straight();
+  void spread(Chains& chains);
+  void bend(Chains& chains);
+  void ease(Minimiser& minimiser, PackingEnergy energy, const Goal& goal);
+  [[nodiscard]] bool is_met(const Goal& goal) const;
+  /// Makes steps until the goal is met or `steps` are made; tells whether it was.
+  bool relax(Minimiser& minimiser, const PackingEnergy& energy, int steps, const Goal& goal);
+  [[noreturn]] void give_up() const;
+
+  const PackingRequest& request_;
+  const std::function<void(const PackingProgress&)>& progress_;
+  const char* stage_ = "";
+  double unit_;  ///< thickest diameter, m
+  Mat3 target_ = Mat3::Identity() / 3;
+  Chains straight_;
+  PackingMeasure last_;
+  int steps_ = 0;
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,71 @@
+// Divides a periodic or walled cell into boxes, for finding the rods near a rod.
+#include "packing/rod_grid.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace fiberfate {
+namespace {
+
+// Boxes per largest centre distance of two listed rods: finer ones test fewer pairs but are more to walk.
+constexpr double refinement = 2;
+
+int floor_divide(int a, int b) {
+  return (a >= 0 ? a : a - b + 1) / b;
+}
+
+/// Largest centre distance of two rods that may be listed.
+double farthest_centres(const Chains& chains, const NeighbourRange& range) {
+  double longest = 0, thickest = 0;
+  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
+    longest = std::max(longest, chains.rod_length[f]);
+    thickest = std::max(thickest, chains.radius[f]);
+  }
+  return longest + 2 * thickest * range.swelling + range.reach + range.skin;
+}
+
+}  // namespace
+
+RodGrid::RodGrid(const Chains& chains, const NeighbourRange& range)
+    : to_fraction_(chains.cell.lattice.inverse()) {
+  const double farthest = farthest_centres(chains, range);
+  for (int i = 0; i < 3; ++i) {
+    const double height = chains.cell.height(i);
+    const auto direction = static_cast<std::size_t>(i);
+    periodic_[direction] = chains.cell.boundary[direction] == Boundary::periodic;
+    count_[i] = std::max(1, static_cast<int>(height * refinement / farthest));
+    span_[i] = static_cast<int>(std::ceil(farthest * count_[i] / height));
+    if (periodic_[direction])
+      farthest_image_ = std::max(farthest_image_, (span_[i] + count_[i] - 1) / count_[i]);
+  }
+}
+
+IntVec3 RodGrid::box(const Vec3& point) const {
+  const Vec3 fraction = to_fraction_ * point;
+  IntVec3 at;
+  for (int i = 0; i < 3; ++i)
+    at[i] = std::clamp(static_cast<int>(std::floor(fraction[i] * count_[i])), 0, count_[i] - 1);
+  return at;
+}
+
+std::int32_t RodGrid::number(const IntVec3& box) const {
+  return (box[2] * count_[1] + box[1]) * count_[0] + box[0];
+}
+
+IntVec3 RodGrid::image(const IntVec3& box) const {
+  return {floor_divide(box[0], count_[0]), floor_divide(box[1], count_[1]), floor_divide(box[2], count_[2])};
+}
+
+std::int32_t RodGrid::number_of_image(const IntVec3& image) const {
+  const int side = 2 * farthest_image_ + 1;
+  return ((image[2] + farthest_image_) * side + image[1] + farthest_image_) * side + image[0] +
+         farthest_image_;
+}
+
+BoxRange RodGrid::around(const IntVec3& box, int i) const {
+  if (periodic_[static_cast<std::size_t>(i)]) return {box[i] - span_[i], box[i] + span_[i]};
+  return {std::max(0, box[i] - span_[i]), std::min(count_[i] - 1, box[i] + span_[i])};
+}
+
+}  // namespace fiberfate
