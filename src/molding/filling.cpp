@@ -1,0 +1,289 @@
+// Steps a filling: gates, flow, front, heat, lengths, orientation, events.
+#include "molding/filling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/timer.hpp"
+#include "microstructure/tensor.hpp"
+#include "molding/flow_solver.hpp"
+#include "molding/front.hpp"
+#include "molding/gate_control.hpp"
+#include "molding/heat.hpp"
+#include "molding/length_transport.hpp"
+#include "molding/orientation_transport.hpp"
+#include "molding/step_control.hpp"
+
+namespace fiberfate {
+
+/// Holds parameters, state and scratch; only the state lasts.
+struct Filling::Parts {
+  Parts(ShellMesh mesh_in, FillingParams params_in)
+      : mesh(std::move(mesh_in)),
+        params(checked(std::move(params_in), mesh)),
+        layers(params.numerics.layers / 2, params.numerics.wall_width_ratio),
+        gates(mesh, params),
+        solver(mesh, params, layers),
+        heat(mesh, params, layers),
+        lengths(mesh, params, layers),
+        orientation(mesh, params, layers) {}
+
+  static FillingParams checked(FillingParams params, const ShellMesh& mesh) {
+    check_params(params, mesh);
+    return params;
+  }
+
+  ShellMesh mesh;
+  FillingParams params;
+  GapLayers layers;
+  FillingState state;
+  GateControl gates;
+  FlowSolver solver;
+  HeatTransport heat;
+  LengthTransport lengths;
+  OrientationTransport orientation;
+
+  FlowField field;
+  StepFlow step;
+  std::vector<std::size_t> open_gates;
+  std::vector<double> stretching;
+  std::array<double, filling_phase_count> seconds{};
+
+  void start();
+  void link_gates();
+  void solve_flow();
+  void measure_gates();
+  void move_front();
+  void carry();
+  void conclude();
+  [[nodiscard]] double fraction() const { return state.injected_volume / mesh.total_volume(); }
+  template <class Body>
+  void timed(FillingPhase phase, const Body& body) {
+    const double begin = wall_seconds();
+    body();
+    seconds[static_cast<std::size_t>(phase)] += wall_seconds() - begin;
+  }
+};
+
+void Filling::Parts::start() {
+  const std::size_t n = mesh.node_count(), points = n * layers.count();
+  state.gates.assign(params.gates.size(), {});
+  state.filled.assign(n, 0);
+  state.excess.assign(n, 0);
+  state.fill_time.assign(n, std::numeric_limits<double>::quiet_NaN());
+  state.pressure.assign(n, 0);
+  state.gradient.assign(n, Vec2::Zero());
+  state.inflow.assign(n, Vec2::Zero());
+  state.mark.assign(n, NodeMark::none);
+  state.temperature.assign(points, params.process.inlet_temperature);
+  state.rate.assign(points, 0);
+  if (params.fibers.orientation)
+    for (auto& component : state.orientation) component.assign(points, 0);
+  state.lengths.assign(points * lengths.field_count(), 0);
+}
+
+void Filling::Parts::link_gates() {
+  std::vector<GateLink> links = gates.links(state, open_gates);
+  std::vector<Gate> open;
+  step.gate.assign(mesh.node_count(), -1);
+  for (const std::size_t g : open_gates) {
+    open.push_back(params.gates[g]);
+    for (const Index node : gates.nodes(g)) step.gate[node] = static_cast<int>(g);
+  }
+  solver.set_gates(std::move(links), open);
+}
+
+void Filling::Parts::solve_flow() {
+  if (params.fibers.coupling) {
+    const FiberCoupling& coupling = *params.fibers.coupling;
+    const std::ptrdiff_t place =
+        coupling.length_set < 0 ? -1
+                                : static_cast<std::ptrdiff_t>(
+                                      lengths.field_begin(static_cast<std::size_t>(coupling.length_set))) +
+                                      coupling.length_class;
+    stretch_viscosity(mesh, params, layers, state, field, place, stretching);
+  }
+  solver.solve(state, drive_of(params, mesh, state), stretching, field);
+  note_control(params, field, fraction(), state);
+}
+
+void Filling::Parts::measure_gates() {
+  for (GateState& gate : state.gates) gate.rate = 0;
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (step.gate_volume[i] == 0) continue;
+    GateState& gate = state.gates[static_cast<std::size_t>(step.gate[i])];
+    gate.rate += step.gate_volume[i] / step.duration;
+    gate.volume += step.gate_volume[i];
+    state.injected_volume += step.gate_volume[i];
+  }
+  for (std::size_t g = 0; g < state.gates.size(); ++g)
+    state.gates[g].pressure = state.pressure[gates.nodes(g).front()];
+}
+
+void Filling::Parts::move_front() {
+  step.edge_volume.assign(mesh.edges().size(), 0);
+  step.gate_volume.assign(mesh.node_count(), 0);
+  step.at_front.resize(mesh.node_count());
+  if (prime_gates(params, mesh, gates, open_gates, state, step, field)) return;
+  timed(FillingPhase::flow, [&] { solve_flow(); });
+  step.duration = step_duration(params, mesh, gates, state, field);
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) step.at_front[i] = field.wet[i] == 0 ? 1 : 0;
+  timed(FillingPhase::front, [&] { advance_front(mesh, solver, field, step, state); });
+}
+
+void Filling::Parts::carry() {
+  timed(FillingPhase::front, [&] {
+    sort_into_levels(mesh, step);
+    inherit_at_front(mesh, layers, step, field, state);
+    split_by_layers(mesh, layers, field, step);
+  });
+  if (params.numerics.heat == HeatModel::full)
+    timed(FillingPhase::heat, [&] { heat.advance(step, field, state); });
+  timed(FillingPhase::lengths, [&] { lengths.advance(step, field, stretching, state); });
+  timed(FillingPhase::orientation, [&] { orientation.advance(step, field, state); });
+}
+
+void Filling::Parts::conclude() {
+  measure_gates();
+  state.time += step.duration;
+  ++state.steps;
+  state.gradient = field.gradient;
+  mark_front(mesh, step, state);
+  state.filled_volume = 0;
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) state.filled_volume += mesh.volume(i) * state.filled[i];
+  state.stop_reason = reason_to_stop(params, mesh, state, field);
+}
+
+Filling::Filling(ShellMesh mesh, FillingParams params)
+    : parts_(std::make_unique<Parts>(std::move(mesh), std::move(params))) {
+  parts_->start();
+}
+
+Filling::Filling(ShellMesh mesh, FillingParams params, FillingState state)
+    : Filling(std::move(mesh), std::move(params)) {
+  const FillingState& empty = parts_->state;
+  bool fits = state.gates.size() == empty.gates.size() && state.filled.size() == empty.filled.size() &&
+              state.temperature.size() == empty.temperature.size() &&
+              state.lengths.size() == empty.lengths.size();
+  for (std::size_t m = 0; m < 6; ++m)
+    fits = fits && state.orientation[m].size() == empty.orientation[m].size();
+  if (!fits)
+    throw InputError("the state of this filling belongs to another mesh or other parameters",
+                     "continue with the mesh, gates, layers and fibers that it was made with");
+  parts_->state = std::move(state);
+  parts_->field.gradient = parts_->state.gradient;
+  parts_->link_gates();
+}
+
+Filling::~Filling() = default;
+Filling::Filling(Filling&&) noexcept = default;
+Filling& Filling::operator=(Filling&&) noexcept = default;
+
+void Filling::advance() {
+  Parts& p = *parts_;
+  if (finished()) return;
+  if (p.gates.update(p.state)) p.link_gates();
+  if (p.open_gates.empty()) {
+    p.state.stop_reason = StopReason::short_shot;
+  } else {
+    p.move_front();
+    p.carry();
+    p.conclude();
+  }
+  if (finished()) p.state.events.push_back({p.state.time, p.fraction(), FillingEventKind::ended, -1});
+}
+
+const ShellMesh& Filling::mesh() const {
+  return parts_->mesh;
+}
+const FillingParams& Filling::params() const {
+  return parts_->params;
+}
+const GapLayers& Filling::layers() const {
+  return parts_->layers;
+}
+const FillingState& Filling::state() const {
+  return parts_->state;
+}
+double Filling::filled_fraction() const {
+  return parts_->state.filled_volume / parts_->mesh.total_volume();
+}
+double Filling::seconds(FillingPhase phase) const {
+  return parts_->seconds[static_cast<std::size_t>(phase)];
+}
+
+Mat3 Filling::orientation(std::size_t node, std::size_t layer) const {
+  const std::size_t point = node * layers().count() + layer;
+  if (state().orientation[0].empty()) return Mat3::Zero();
+  Vec6 a;
+  for (std::size_t m = 0; m < 6; ++m) a[static_cast<Eigen::Index>(m)] = state().orientation[m][point];
+  return rotated(to_matrix(a), mesh().frame(node));
+}
+
+Mat3 Filling::mean_orientation(std::size_t node) const {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t k = 0; k < layers().count(); ++k) sum += layers().widths()[k] * orientation(node, k);
+  // The other half of the gap is the mirror image: components across it cancel.
+  const Mat3& frame = mesh().frame(node);
+  Mat3 local = frame.transpose() * sum * frame;
+  local(0, 2) = local(2, 0) = local(1, 2) = local(2, 1) = 0;
+  return frame * local * frame.transpose();
+}
+
+std::size_t Filling::field_count(std::size_t set) const {
+  return parts_->lengths.field_begin(set + 1) - parts_->lengths.field_begin(set);
+}
+
+std::span<const double> Filling::lengths(std::size_t set, std::size_t node, std::size_t layer) const {
+  const std::size_t point = node * layers().count() + layer;
+  return std::span(state().lengths)
+      .subspan(point * parts_->lengths.field_count() + parts_->lengths.field_begin(set), field_count(set));
+}
+
+std::vector<double> Filling::mean_lengths_of(std::size_t set, std::size_t node) const {
+  std::vector<double> mean(field_count(set), 0);
+  for (std::size_t k = 0; k < layers().count(); ++k) {
+    const std::span<const double> values = lengths(set, node, k);
+    for (std::size_t f = 0; f < mean.size(); ++f) mean[f] += layers().widths()[k] * values[f];
+  }
+  return mean;
+}
+
+std::span<const double> Filling::bin_lengths(std::size_t set) const {
+  return parts_->lengths.bin_lengths(set);
+}
+
+std::vector<double> Filling::gap_average(std::span<const double> by_point) const {
+  std::vector<double> mean(mesh().node_count(), 0);
+  for (std::size_t i = 0; i < mean.size(); ++i)
+    for (std::size_t k = 0; k < layers().count() && state().filled[i] > 0; ++k)
+      mean[i] += layers().widths()[k] * by_point[i * layers().count() + k];
+  return mean;
+}
+
+std::vector<double> Filling::viscosity() const {
+  const std::size_t count = layers().count();
+  std::vector<double> values(mesh().node_count() * count);
+  for (std::size_t i = 0; i < mesh().node_count(); ++i)
+    parts_->solver.viscosities(state(), i, parts_->stretching, std::span(values).subspan(i * count, count));
+  return values;
+}
+
+std::vector<Vec3> Filling::velocity() const {
+  std::vector<Vec3> values(mesh().node_count(), Vec3::Zero());
+  for (std::size_t i = 0; i < parts_->field.fluidity.size(); ++i) {
+    if (!(state().filled[i] > 0)) continue;
+    const double mobility = std::pow(mesh().thickness(i), 2) / 4 * parts_->field.fluidity[i];
+    const Vec2 v = -mobility * parts_->field.gradient[i];
+    values[i] = mesh().frame(i).leftCols<2>() * v;
+  }
+  return values;
+}
+
+double Filling::stored_heat() const {
+  return fiberfate::stored_heat(mesh(), params(), layers(), state());
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,129 @@
+// Fills control volumes and keeps account of every volume that moves.
+#include "molding/front.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fiberfate {
+namespace {
+
+/// Cosine of the angle between two fronts beyond which their meeting is a weld line.
+constexpr double weld_cosine = -0.5;
+
+void record_fill_times(const FillingState& state, const std::vector<double>& before, const StepFlow& step,
+                       std::vector<double>& fill_time) {
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double change = state.filled[i] - before[i];
+    if (!(before[i] < 0.5) || !(state.filled[i] >= 0.5)) continue;
+    fill_time[i] = state.time + step.duration * (0.5 - before[i]) / change;
+  }
+}
+
+void record_directions(const ShellMesh& mesh, const StepFlow& step, FillingState& state) {
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (step.at_front[i] == 0) continue;
+    for (const ShellNeighbour& from : mesh.neighbours(i)) {
+      const double volume = step.inflow(i, from);
+      if (volume > 0) state.inflow[i] -= volume * from.direction;
+    }
+  }
+}
+
+/// Passes on what is above a full control volume; nodes that overflow in turn follow in the queue.
+void pass_overflow(const ShellMesh& mesh, const FlowSolver& solver, StepFlow& step, FillingState& state,
+                   std::vector<double>& content) {
+  std::vector<Index> queue;
+  for (std::size_t i = 0; i < content.size(); ++i)
+    if (step.at_front[i] != 0 && content[i] > mesh.volume(i)) queue.push_back(static_cast<Index>(i));
+  std::vector<char> queued(content.size(), 0);
+  for (const Index node : queue) queued[node] = 1;
+  for (std::size_t place = 0; place < queue.size(); ++place) {
+    const auto node = static_cast<std::size_t>(queue[place]);
+    const double overflow = content[node] - mesh.volume(node);
+    const auto takes = [&](const ShellNeighbour& to) {
+      return step.at_front[to.node] != 0 && queued[to.node] == 0;
+    };
+    double weight = 0;
+    for (const ShellNeighbour& to : mesh.neighbours(node))
+      if (takes(to)) weight += solver.edge_weight(to.edge);
+    if (!(weight > 0)) continue;
+    for (const ShellNeighbour& to : mesh.neighbours(node)) {
+      if (!takes(to)) continue;
+      const double volume = overflow * solver.edge_weight(to.edge) / weight;
+      step.edge_volume[to.edge] += static_cast<Index>(node) < to.node ? volume : -volume;
+      content[to.node] += volume;
+    }
+    content[node] = mesh.volume(node);
+    for (const ShellNeighbour& to : mesh.neighbours(node))
+      if (takes(to) && content[to.node] > mesh.volume(to.node)) {
+        queue.push_back(to.node);
+        queued[to.node] = 1;
+      }
+  }
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    state.filled[i] = std::min(1.0, content[i] / mesh.volume(i));
+    // Round-off must not keep a full node at the front.
+    if (content[i] >= mesh.volume(i) || step.at_front[i] == 0) state.filled[i] = 1;
+    state.excess[i] = state.filled[i] == 1 ? content[i] - mesh.volume(i) : 0;
+  }
+}
+
+}  // namespace
+
+double free_volume_at_front(const ShellMesh& mesh, const FillingState& state, const FlowField& field) {
+  double free = 0;
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (field.wet[i] != 0) continue;
+    const auto neighbours = mesh.neighbours(i);
+    const bool reached = std::any_of(neighbours.begin(), neighbours.end(),
+                                     [&](const ShellNeighbour& from) { return field.wet[from.node] != 0; });
+    if (reached) free += mesh.volume(i) * (1 - state.filled[i]);
+  }
+  return free;
+}
+
+void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowField& field, StepFlow& step,
+                   FillingState& state) {
+  const std::size_t n = mesh.node_count();
+  step.content.resize(n);
+  for (std::size_t i = 0; i < n; ++i) step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
+  std::vector<double> content = step.content;
+  for (std::size_t e = 0; e < step.edge_volume.size(); ++e) {
+    step.edge_volume[e] = field.edge_flux[e] * step.duration;
+    content[mesh.edges()[e].first] -= step.edge_volume[e];
+    content[mesh.edges()[e].second] += step.edge_volume[e];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    // A gate gives its nodes what they pass on.
+    step.gate_volume[i] = step.gate[i] >= 0 ? mesh.volume(i) - content[i] : 0;
+    content[i] += step.gate_volume[i];
+  }
+  const std::vector<double> before = state.filled;
+  pass_overflow(mesh, solver, step, state, content);
+  step.new_content = content;
+  record_fill_times(state, before, step, state.fill_time);
+  record_directions(mesh, step, state);
+}
+
+void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state) {
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (step.at_front[i] == 0 || state.filled[i] < 1) continue;
+    bool enclosed = true;
+    const double size = state.inflow[i].norm();
+    for (const ShellNeighbour& other : mesh.neighbours(i)) {
+      const bool full = state.filled[other.node] >= 1;
+      enclosed = enclosed && full && state.fill_time[other.node] < state.fill_time[i];
+      const Vec2& there = state.inflow[other.node];
+      const Vec2 turned(other.turn[0] * there[0] - other.turn[1] * there[1],
+                        other.turn[1] * there[0] + other.turn[0] * there[1]);
+      const bool opposed = state.inflow[i].dot(turned) < weld_cosine * size * there.norm();
+      if (!full || !opposed || !(state.inflow[i].dot(other.direction) > 0)) continue;
+      state.mark[i] = NodeMark::weld_line;
+      state.mark[other.node] = NodeMark::weld_line;
+    }
+    if (size < 0.5 * mesh.volume(i) && state.inflow[i] != Vec2::Zero()) state.mark[i] = NodeMark::weld_line;
+    if (enclosed) state.mark[i] = NodeMark::air_trap;
+  }
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,27 @@
+// Moves the front: fills control volumes, passes on what overflows, marks weld lines and air traps.
+#pragma once
+
+#include "molding/filling_state.hpp"
+#include "molding/flow_field.hpp"
+#include "molding/flow_solver.hpp"
+#include "molding/shell_mesh.hpp"
+#include "molding/step_flow.hpp"
+
+namespace fiberfate {
+
+/// Tells the volume that is free in control volumes next to wet ones, m³.
+[[nodiscard]] double free_volume_at_front(const ShellMesh& mesh, const FillingState& state,
+                                          const FlowField& field);
+
+/// Lets the fluxes of `field` act for step.duration. What overflows goes on to empty neighbours in the same
+/// step, in proportion to how their edges conduct; where there are none it is kept as `excess` and becomes a
+/// source of the next solution. Writes the volumes of `step` (edges, gates, contents) and updates `filled`,
+/// `excess`, `fill_time`, `inflow`. Nothing is lost: contents change by what the edges and gates carry.
+void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowField& field, StepFlow& step,
+                   FillingState& state);
+
+/// Marks nodes that have become full: weld lines where fronts met that came from directions more than 120
+/// degrees apart, air traps where all neighbours were full before.
+void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state);
+
+}  // namespace fiberfate

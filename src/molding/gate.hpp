@@ -1,0 +1,42 @@
+// Describes gates: where melt enters, through which resistance, and when they open and close.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+/// Names what opens or closes a gate.
+enum class TriggerKind {
+  start,            ///< from the beginning
+  never,            ///< not at all
+  filled_fraction,  ///< when this share of the cavity is filled (value in 0 to 1)
+  time,             ///< at this time, s
+  arrival           ///< when the front has reached the gate, or `sensor`; value is a delay, s
+};
+
+/// Says when a gate opens or closes.
+struct Trigger {
+  TriggerKind kind = TriggerKind::start;
+  double value = 0;
+  std::optional<Vec3> sensor = {};  ///< m; the gate itself when empty
+};
+
+/// Describes one gate. It feeds all nodes within `radius` of the line from `position` to `end`, at one
+/// pressure; or, where the mesh is coarser than the gate, the nearest node. The pressure at a round gate is
+/// that at `radius`, whatever the mesh (the flux of the exact radial field is imposed on the gate's edges:
+/// Peaceman, SPE J. 18, 183 (1978), for triangles).
+struct Gate {
+  std::string name = "gate";
+  Vec3 position = Vec3::Zero();  ///< m
+  std::optional<Vec3> end = {};  ///< other end of an edge or film gate, m
+  double radius = 1e-3;          ///< m
+  double resistance = 0;         ///< of the runner from the sprue, Pa s/m³: p_sprue - p_gate = R Q
+  Trigger opens = {};
+  Trigger closes = {TriggerKind::never, 0, {}};
+};
+
+}  // namespace fiberfate

@@ -1,0 +1,43 @@
+// Carries heat with the melt, conducts it across the gap, adds what viscous flow makes.
+#pragma once
+
+#include <vector>
+
+#include "molding/filling_params.hpp"
+#include "molding/filling_state.hpp"
+#include "molding/flow_field.hpp"
+#include "molding/gap_layers.hpp"
+#include "molding/shell_mesh.hpp"
+#include "molding/step_flow.hpp"
+
+namespace fiberfate {
+
+/// Solves rho c DT/Dt = k d²T/dz² + eta rate² by an implicit step: one system of the layers of a node, from
+/// node to node down the flow. The heat that flow makes is that which the pressure loses, edge by edge, so
+/// that what gates pump in, F Delta p, is found again in the melt; layers share it by zeta²/eta. Neglected:
+/// conduction in the surface (thickness over length squared), expansion, heat of solidification.
+class HeatTransport {
+ public:
+  HeatTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers)
+      : mesh_(&mesh), params_(&params), layers_(&layers) {}
+
+  /// Advances the temperatures of `state` and its account of heat.
+  void advance(const StepFlow& step, const FlowField& field, FillingState& state);
+
+ private:
+  void collect_dissipation(const StepFlow& step, const FlowField& field);
+  void advance_node(std::size_t node, const StepFlow& step, const FlowField& field, FillingState& state);
+
+  const ShellMesh* mesh_;
+  const FillingParams* params_;
+  const GapLayers* layers_;
+  std::vector<double> dissipated_;  ///< by node, J in this step
+  std::vector<double> to_mold_;     ///< by node, J in this step
+  std::vector<double> brought_in_;  ///< by node, J in this step
+};
+
+/// Tells the heat that the melt holds above the mold's temperature, J.
+[[nodiscard]] double stored_heat(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,
+                                 const FillingState& state);
+
+}  // namespace fiberfate

@@ -1,0 +1,166 @@
+// Mixes and decays the lengths of every layer, down the flow.
+#include "molding/length_transport.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "molding/sweep.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr std::size_t most_layers = 32;
+
+}  // namespace
+
+/// Holds what the layers of one node do to lengths.
+struct LengthTransport::NodeScratch {
+  std::array<double, most_layers> rate, viscosity, duration;
+  std::vector<double> survival;  ///< [set][layer]: exp(-k_f tau) - 1
+  std::vector<double> limit;     ///< [set][layer]: L_inf, m
+};
+
+LengthTransport::LengthTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers)
+    : mesh_(&mesh), params_(&params), layers_(&layers), field_begin_{0} {
+  const MoldingFibers& fibers = params.fibers;
+  double longest = 0;
+  for (const double length : fibers.class_lengths) longest = std::max(longest, length);
+  for (const auto& inlet : fibers.gate_inlets)
+    if (inlet)
+      for (const double length : inlet->lengths) longest = std::max(longest, length);
+  for (const double length : fibers.inlet.lengths) longest = std::max(longest, length);
+  for (const LengthSet& set : fibers.length_sets) {
+    const PhelpsConstants* constants = set.law->fragmentation();
+    phelps_.push_back(
+        constants ? std::make_unique<PhelpsSolver>(*constants, LengthBins{fibers.phelps_bins, longest})
+                  : nullptr);
+    bin_lengths_.push_back(constants ? phelps_.back()->bins().lengths() : std::vector<double>());
+    field_begin_.push_back(field_begin_.back() +
+                           (constants ? fibers.phelps_bins : fibers.class_lengths.size()));
+  }
+  for (std::size_t g = 0; g < params.gates.size(); ++g) {
+    const bool own = g < fibers.gate_inlets.size() && fibers.gate_inlets[g];
+    inlets_.emplace_back(field_count());
+    write_inlet(own ? *fibers.gate_inlets[g] : fibers.inlet, inlets_.back());
+  }
+}
+
+void LengthTransport::write_inlet(const InletFibers& inlet, std::span<double> fields) const {
+  const std::vector<double>& lengths = inlet.lengths.empty() ? params_->fibers.class_lengths : inlet.lengths;
+  for (std::size_t s = 0; s < phelps_.size(); ++s) {
+    const std::vector<double> values =
+        phelps_[s] ? sort_into_bins({lengths, params_->fibers.class_numbers}, phelps_[s]->bins()) : lengths;
+    std::copy(values.begin(), values.end(), fields.begin() + static_cast<std::ptrdiff_t>(field_begin_[s]));
+  }
+}
+
+void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, const FlowField& field,
+                                    std::span<const double> stretching, const FillingState& state,
+                                    NodeScratch& scratch) const {
+  const std::size_t count = layers_->count(), begin = node * count;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double content = step.content[node] * layers_->widths()[k];
+    const double mixed = content + step.layer_inflow[begin + k];
+    const double inverse = field.inverse_viscosity[begin + k];
+    const bool flows = inverse > 0 && state.rate[begin + k] > 0 && mixed > 0;
+    scratch.duration[k] = flows ? step.duration * content / mixed : 0;
+    scratch.rate[k] = flows ? state.rate[begin + k] : 0;
+    // The laws know the viscosity of the matrix, which is what drags at the fibers.
+    const double stretched = stretching.empty() ? 1 : stretching[begin + k];
+    scratch.viscosity[k] = flows ? 1 / (inverse * stretched) : 0;
+  }
+  const LengthFlows flows{std::span(scratch.rate).first(count), std::span(scratch.viscosity).first(count)};
+  for (std::size_t s = 0; s < phelps_.size(); ++s) {
+    if (phelps_[s]) continue;
+    const auto survival = std::span(scratch.survival).subspan(s * count, count);
+    params_->fibers.length_sets[s].law->relaxation()->evaluate(
+        flows, survival, std::span(scratch.limit).subspan(s * count, count));
+    for (std::size_t k = 0; k < count; ++k)
+      survival[k] = scratch.duration[k] > 0 ? std::expm1(-survival[k] * scratch.duration[k]) : 0;
+  }
+}
+
+void LengthTransport::mix(std::size_t node, std::size_t layer, const StepFlow& step, const FlowField& field,
+                          FillingState& state) const {
+  const std::size_t count = layers_->count(), fields = field_count(), point = node * count + layer;
+  double* const value = &state.lengths[point * fields];
+  const double content = step.content[node] * layers_->widths()[layer];
+  const double total = content + step.layer_inflow[point];
+  if (!(total > 0)) return;
+  for (std::size_t f = 0; f < fields; ++f) value[f] *= content;
+  const auto take = [&](const double* from, double volume) {
+    for (std::size_t f = 0; f < fields; ++f) value[f] += volume * from[f];
+  };
+  for (const ShellNeighbour& from : mesh_->neighbours(node)) {
+    const double volume = step.inflow(node, from);
+    if (!(volume > 0)) continue;
+    const auto there = static_cast<std::size_t>(from.node);
+    take(&state.lengths[(there * count + layer) * fields],
+         volume * layer_share(field, step, count, there, node, layer));
+  }
+  const double gate = step.gate_volume[node];
+  if (gate > 0)
+    take(inlets_[step.gate[node]].data(),
+         gate * (step.at_front[node] != 0 ? layers_->widths()[layer] : field.shares[point]));
+  for (const LayerTransfer& t : step.transfers_of(node, count))
+    if (t.to == layer) take(&state.lengths[(node * count + t.from) * fields], t.volume);
+  for (std::size_t f = 0; f < fields; ++f) value[f] /= total;
+}
+
+void LengthTransport::decay(std::size_t node, std::size_t layer, FillingState& state,
+                            const NodeScratch& scratch) const {
+  const std::size_t count = layers_->count();
+  double* const value = &state.lengths[(node * count + layer) * field_count()];
+  for (std::size_t s = 0; s < phelps_.size(); ++s) {
+    const std::size_t first = field_begin_[s], last = field_begin_[s + 1];
+    if (phelps_[s]) {
+      if (scratch.duration[layer] > 0)
+        phelps_[s]->advance(LengthFlow{scratch.rate[layer], scratch.viscosity[layer], 1},
+                            scratch.duration[layer], std::span(value + first, last - first));
+      continue;
+    }
+    const double survival = scratch.survival[s * count + layer], limit = scratch.limit[s * count + layer];
+    if (survival == 0) continue;
+    for (std::size_t f = first; f < last; ++f)
+      if (value[f] > limit) value[f] = std::max(limit, value[f] + (value[f] - limit) * survival);
+  }
+}
+
+void LengthTransport::advance_node(std::size_t node, const StepFlow& step, const FlowField& field,
+                                   std::span<const double> stretching, FillingState& state,
+                                   NodeScratch& scratch) const {
+  const std::size_t count = layers_->count();
+  prepare_decay(node, step, field, stretching, state, scratch);
+  const auto transfers = step.transfers_of(node, count);
+  std::uint32_t waiting = 0, done = 0;
+  for (std::size_t k = 0; k < count; ++k) waiting |= 1U << k;
+  // A layer follows those that it takes melt from; transfers never run in a ring.
+  while (waiting != 0) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if ((waiting >> k & 1U) == 0) continue;
+      const bool ready = std::all_of(transfers.begin(), transfers.end(), [&](const LayerTransfer& t) {
+        return t.to != k || (done >> t.from & 1U) != 0;
+      });
+      if (!ready) continue;
+      mix(node, k, step, field, state);
+      decay(node, k, state, scratch);
+      waiting &= ~(1U << k);
+      done |= 1U << k;
+    }
+  }
+}
+
+void LengthTransport::advance(const StepFlow& step, const FlowField& field,
+                              std::span<const double> stretching, FillingState& state) const {
+  if (field_count() == 0) return;
+  sweep_down_the_flow(step, [&](std::span<const Index> nodes) {
+    NodeScratch scratch;
+    scratch.survival.resize(phelps_.size() * layers_->count());
+    scratch.limit.resize(phelps_.size() * layers_->count());
+    for (const Index node : nodes)
+      advance_node(static_cast<std::size_t>(node), step, field, stretching, state, scratch);
+  });
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,185 @@
+// Numbers, assembles and solves the network of conductances.
+#include "molding/pressure_system.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Nodes that the pattern covers ahead of the front, as a share of those behind it, and at least so many.
+constexpr double ahead_share = 0.15;
+constexpr std::size_t ahead_least = 30;
+
+}  // namespace
+
+void PressureSystem::set_gates(std::vector<GateLink> open_gates) {
+  gates_ = std::move(open_gates);
+  covered_.assign(mesh_->node_count(), 0);
+}
+
+bool PressureSystem::covers(std::span<const char> wet) const {
+  for (std::size_t i = 0; i < wet.size(); ++i)
+    if (wet[i] > covered_[i]) return false;
+  return true;
+}
+
+void PressureSystem::cover(std::span<const char> wet) {
+  covered_.assign(wet.begin(), wet.end());
+  std::vector<Index> ring, next;
+  for (std::size_t i = 0; i < wet.size(); ++i)
+    if (wet[i] != 0) ring.push_back(static_cast<Index>(i));
+  const auto behind = static_cast<double>(ring.size());
+  const auto wanted = ahead_least + static_cast<std::size_t>(ahead_share * behind);
+  for (std::size_t ahead = 0; ahead < wanted && !ring.empty(); std::swap(ring, next)) {
+    next.clear();
+    for (const Index i : ring)
+      for (const ShellNeighbour& neighbour : mesh_->neighbours(i)) {
+        if (covered_[neighbour.node] != 0) continue;
+        covered_[neighbour.node] = 1;
+        next.push_back(neighbour.node);
+      }
+    ahead += next.size();
+  }
+}
+
+void PressureSystem::number_unknowns() {
+  unknown_of_.assign(mesh_->node_count(), -1);
+  gate_unknowns_.assign(gates_.size(), 0);
+  sprue_ = 0;
+  Index count = 1;
+  for (std::size_t g = 0; g < gates_.size(); ++g) {
+    gate_unknowns_[g] = gates_[g].resistance > 0 ? count++ : sprue_;
+    for (const Index node : gates_[g].nodes) unknown_of_[node] = gate_unknowns_[g];
+  }
+  for (std::size_t i = 0; i < covered_.size(); ++i)
+    if (covered_[i] != 0 && unknown_of_[i] < 0) unknown_of_[i] = count++;
+  diagonal_slots_.assign(count, 0);
+}
+
+void PressureSystem::analyse() {
+  number_unknowns();
+  const auto count = static_cast<Index>(diagonal_slots_.size());
+  struct Link {
+    Index edge, gate;
+  };
+  std::vector<std::pair<Index, Index>> pairs;
+  std::vector<Link> links;
+  node_edges_.clear();
+  for (std::size_t e = 0; e < mesh_->edges().size(); ++e) {
+    const Index a = unknown_of_[mesh_->edges()[e].first], b = unknown_of_[mesh_->edges()[e].second];
+    if (a < 0 || b < 0 || a == b) continue;
+    node_edges_.push_back(static_cast<Index>(e));
+    pairs.emplace_back(a, b);
+    links.push_back({static_cast<Index>(e), -1});
+  }
+  for (std::size_t g = 0; g < gates_.size(); ++g)
+    if (gates_[g].resistance > 0) {
+      pairs.emplace_back(gate_unknowns_[g], sprue_);
+      links.push_back({-1, static_cast<Index>(g)});
+    }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const auto& [a, b] : pairs) {
+    entries.emplace_back(a, b, 1.0);
+    entries.emplace_back(b, a, 1.0);
+  }
+  for (Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1.0);
+  Matrix full(count, count);
+  full.setFromTriplets(entries.begin(), entries.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
+  Eigen::AMDOrdering<int>()(full.selfadjointView<Eigen::Upper>(), inverse);
+  // AMD tells which unknown comes when; we need when each unknown comes.
+  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order = inverse.inverse();
+  for (Index& unknown : unknown_of_)
+    if (unknown >= 0) unknown = order.indices()[unknown];
+  for (Index& unknown : gate_unknowns_) unknown = order.indices()[unknown];
+  sprue_ = order.indices()[sprue_];
+  entries.clear();
+  for (auto& [a, b] : pairs) {
+    a = order.indices()[a];
+    b = order.indices()[b];
+    if (a > b) std::swap(a, b);
+    entries.emplace_back(a, b, 1.0);
+  }
+  for (Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1.0);
+  matrix_.resize(count, count);
+  matrix_.setFromTriplets(entries.begin(), entries.end());
+  matrix_.makeCompressed();
+  const auto slot = [&](Index row, Index column) {
+    const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
+    const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
+    return static_cast<Index>(std::lower_bound(begin, end, row) - matrix_.innerIndexPtr());
+  };
+  edge_slots_.assign(mesh_->edges().size(), -1);
+  gate_slots_.assign(gates_.size(), -1);
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    const Index place = slot(pairs[l].first, pairs[l].second);
+    (links[l].edge >= 0 ? edge_slots_[links[l].edge] : gate_slots_[links[l].gate]) = place;
+  }
+  for (Index i = 0; i < count; ++i) diagonal_slots_[i] = slot(i, i);
+  factor_.analyzePattern(matrix_);
+}
+
+void PressureSystem::assemble(const Network& network) {
+  double* const value = matrix_.valuePtr();
+  std::fill(value, value + matrix_.nonZeros(), 0.0);
+  for (const Index e : node_edges_) {
+    const auto [a, b] = mesh_->edges()[e];
+    if (network.wet[a] == 0 || network.wet[b] == 0) continue;
+    const double c = network.conductances[e];
+    value[edge_slots_[e]] -= c;
+    value[diagonal_slots_[unknown_of_[a]]] += c;
+    value[diagonal_slots_[unknown_of_[b]]] += c;
+  }
+  for (std::size_t i = 0; i < network.wet.size(); ++i)
+    if (network.wet[i] != 0) value[diagonal_slots_[unknown_of_[i]]] += network.to_front[i];
+  for (std::size_t g = 0; g < gates_.size(); ++g) {
+    if (gate_slots_[g] < 0) continue;
+    const double c = 1 / gates_[g].resistance;
+    value[gate_slots_[g]] -= c;
+    value[diagonal_slots_[gate_unknowns_[g]]] += c;
+    value[diagonal_slots_[sprue_]] += c;
+  }
+  // Nodes that are not wet yet stand alone with p = 0.
+  for (const Index slot : diagonal_slots_)
+    if (value[slot] == 0) value[slot] = 1;
+}
+
+void PressureSystem::back_substitute(Eigen::VectorXd& right, std::vector<double>& by_node,
+                                     double& sprue) const {
+  right = factor_.solve(right).eval();
+  by_node.resize(unknown_of_.size());
+  for (std::size_t i = 0; i < by_node.size(); ++i)
+    by_node[i] = unknown_of_[i] >= 0 ? right[unknown_of_[i]] : 0.0;
+  sprue = right[sprue_];
+}
+
+void PressureSystem::solve(const Network& network, PressureParts& parts) {
+  if (covered_.empty() || !covers(network.wet)) {
+    cover(network.wet);
+    analyse();
+  }
+  assemble(network);
+  factor_.factorize(matrix_);
+  const bool positive = factor_.info() == Eigen::Success && factor_.vectorD().minCoeff() > 0;
+  if (!positive)
+    throw SimulationFailure("the pressure equation has no solution: no melt leads to the front", {});
+  right_.setZero(matrix_.rows());
+  right_[sprue_] = 1;
+  back_substitute(right_, parts.of_unit_rate, parts.sprue_of_unit_rate);
+  const bool fed =
+      std::any_of(network.sources.begin(), network.sources.end(), [](double q) { return q != 0; });
+  parts.of_sources.assign(network.wet.size(), 0);
+  parts.sprue_of_sources = 0;
+  if (!fed) return;
+  right_.setZero(matrix_.rows());
+  for (std::size_t i = 0; i < network.sources.size(); ++i)
+    if (network.sources[i] != 0) right_[unknown_of_[i]] += network.sources[i];
+  back_substitute(right_, parts.of_sources, parts.sprue_of_sources);
+}
+
+}  // namespace fiberfate

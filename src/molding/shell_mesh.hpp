@@ -1,0 +1,108 @@
+// Holds a part as a shell of triangles in space: thickness, control volumes, edges, frames of nodes.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Chooses whether more than two triangles may share an edge, as where a rib stands on a plate.
+enum class Junctions { refused, allowed };
+
+/// Holds triangles of the middle surface, as a reader or mesher makes them.
+struct Shell {
+  std::vector<Vec3> nodes;                      ///< m
+  std::vector<std::array<Index, 3>> triangles;  ///< nodes of each, the same way round seen from one side
+  std::vector<double> thickness;                ///< full wall thickness of each triangle, m
+  std::vector<int> region = {};  ///< of each triangle, as the mesher numbers them; may be empty
+  Junctions junctions = Junctions::refused;
+};
+
+/// Checks a shell. Raises InputError that lists the faults with the triangle or node, its place and the
+/// remedy: missing or unused nodes, degenerate triangles, thickness that is not positive, edges of more than
+/// two triangles, neighbours that are turned the other way, a part in several pieces.
+void check_shell(const Shell& shell);
+
+/// Joins two nodes; `first` < `second`.
+struct ShellEdge {
+  Index first = 0;
+  Index second = 0;
+};
+
+/// Leads from a node to a neighbour.
+struct ShellNeighbour {
+  Index node = 0;
+  Index edge = 0;
+  double length = 0;        ///< of the edge, m
+  Vec2 direction = {0, 0};  ///< unit vector along the edge in the frame of the node where it begins
+  Vec2 turn = {1, 0};  ///< (cos, sin) of the angle by which components in the neighbour's frame are turned
+                       ///< to become components in this frame
+};
+
+/// Adds what filling needs to a checked shell. Arrays by node, triangle or edge have the numbering of the
+/// shell.
+///
+/// The frame of a node is (e1, e2, normal): e1 is the projection of the part's first axis, or second where
+/// that stands on the surface. Vectors go from node to node by keeping their angle to the edge, so that a
+/// flow around a bend stays parallel to itself. The control volume of a node is its Voronoi area (mixed for
+/// obtuse triangles: Meyer, Desbrun, Schröder, Barr, 2003) times the thickness.
+class ShellMesh {
+ public:
+  /// Raises InputError as check_shell.
+  explicit ShellMesh(Shell shell);
+
+  [[nodiscard]] const Shell& shell() const { return shell_; }
+  [[nodiscard]] std::size_t node_count() const { return shell_.nodes.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return shell_.triangles.size(); }
+  [[nodiscard]] std::span<const ShellEdge> edges() const { return edges_; }
+  /// Gives the edges of a triangle; edge k is opposite to its node k.
+  [[nodiscard]] const std::array<Index, 3>& edges_of(std::size_t triangle) const {
+    return triangle_edges_[triangle];
+  }
+  /// Gives half the cotangents of a triangle's angles: the weights of its edges in the stiffness of linear
+  /// elements.
+  [[nodiscard]] const std::array<double, 3>& half_cotangents(std::size_t triangle) const {
+    return half_cotangents_[triangle];
+  }
+  [[nodiscard]] std::span<const ShellNeighbour> neighbours(std::size_t node) const {
+    return std::span(neighbours_)
+        .subspan(neighbour_begin_[node], neighbour_begin_[node + 1] - neighbour_begin_[node]);
+  }
+  [[nodiscard]] double area(std::size_t node) const { return areas_[node]; }                        ///< m²
+  [[nodiscard]] double volume(std::size_t node) const { return volumes_[node]; }                    ///< m³
+  [[nodiscard]] double thickness(std::size_t node) const { return volumes_[node] / areas_[node]; }  ///< m
+  /// Tells the angle of the surface around a node: 2 pi inside, less at the edge of the part.
+  [[nodiscard]] double angle(std::size_t node) const { return angles_[node]; }
+  [[nodiscard]] bool on_boundary(std::size_t node) const { return on_boundary_[node] != 0; }
+  [[nodiscard]] double total_volume() const { return total_volume_; }  ///< m³
+  [[nodiscard]] double total_area() const { return total_area_; }      ///< m²
+
+  /// Gives e1, e2 and the normal of a node as columns.
+  [[nodiscard]] const Mat3& frame(std::size_t node) const { return frames_[node]; }
+  /// Finds the node nearest to a place.
+  [[nodiscard]] std::size_t nearest_node(const Vec3& place) const;
+
+ private:
+  void measure_triangles();
+  void link_edges();
+  void orient_nodes();
+  void link_neighbours();
+
+  Shell shell_;
+  std::vector<ShellEdge> edges_;
+  std::vector<std::array<Index, 3>> triangle_edges_;
+  std::vector<std::array<double, 3>> half_cotangents_;
+  std::vector<double> areas_, volumes_, angles_;
+  std::vector<char> on_boundary_;
+  std::vector<Mat3> frames_;
+  std::vector<std::size_t> neighbour_begin_;
+  std::vector<ShellNeighbour> neighbours_;
+  double total_volume_ = 0, total_area_ = 0;
+};
+
+}  // namespace fiberfate

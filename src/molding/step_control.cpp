@@ -1,0 +1,143 @@
+// Chooses the drive and the length of steps.
+#include "molding/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "molding/front.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Share of the free volume at the front that a step fills, unless that would be too short a step.
+constexpr double front_share = 0.8;
+/// Shortest step for the front's sake, over the one aimed at: closing pockets pass on what they cannot hold.
+constexpr double shortest_share = 0.05;
+/// Longest step over the one aimed at, where pressure holds the rate down.
+constexpr double longest_share = 2;
+/// Share of the set rate below which melt under pressure control counts as standing.
+constexpr double least_rate_share = 1e-3;
+/// Share of the cavity that may be missing at the end, for round-off.
+constexpr double missing_share = 1e-12;
+/// Share of the nodes at front or gates that are frozen where a melt that stands is frozen off.
+constexpr double frozen_share = 0.5;
+
+double fraction_of(const ShellMesh& mesh, const FillingState& state) {
+  return state.injected_volume / mesh.total_volume();
+}
+
+}  // namespace
+
+Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state) {
+  const MoldingProcess& process = params.process;
+  Drive drive;
+  drive.rate = process.flow.at(state.time, fraction_of(mesh, state));
+  drive.pressure = state.control == ControlMode::switchover ? state.held_pressure : process.pressure_limit;
+  drive.duration = mesh.total_volume() / params.numerics.steps / drive.rate;
+  return drive;
+}
+
+void note_control(const FillingParams& params, const FlowField& field, double filled_fraction,
+                  FillingState& state) {
+  const auto note = [&](FillingEventKind kind) {
+    state.events.push_back({state.time, filled_fraction, kind, -1});
+  };
+  state.flow_rate = field.rate;
+  state.sprue_pressure = field.sprue_pressure;
+  if (state.control == ControlMode::switchover) return;
+  if (field.limited && state.control == ControlMode::flow) {
+    state.control = ControlMode::pressure_limit;
+    note(FillingEventKind::pressure_limited);
+  } else if (!field.limited && state.control == ControlMode::pressure_limit) {
+    state.control = ControlMode::flow;
+    note(FillingEventKind::flow_resumed);
+  }
+  const double switchover = params.process.switchover_fraction;
+  if (switchover < 1 && filled_fraction >= switchover - missing_share) {
+    state.control = ControlMode::switchover;
+    const double wanted = std::min(params.process.switchover_pressure, params.process.pressure_limit);
+    state.held_pressure = std::isfinite(params.process.switchover_pressure) ? wanted : field.sprue_pressure;
+    note(FillingEventKind::switched_over);
+  }
+}
+
+bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                 const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
+                 FlowField& field) {
+  double missing = 0;
+  for (const std::size_t g : open)
+    for (const Index node : gates.nodes(g)) missing += mesh.volume(node) * (1 - state.filled[node]);
+  if (!(missing > 0)) return false;
+  const std::size_t n = mesh.node_count(), points = state.rate.size();
+  field.shares.resize(points, 0);
+  field.inverse_viscosity.resize(points, 0);
+  field.fluidity.resize(n, 0);
+  field.pressure.resize(n, 0);
+  field.gradient.resize(n, Vec2::Zero());
+  field.front_factor.resize(n, 2);
+  field.edge_flux.assign(mesh.edges().size(), 0);
+  field.wet.resize(n, 0);
+  state.flow_rate = drive_of(params, mesh, state).rate;
+  step.duration = missing / state.flow_rate;
+  step.content.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
+    step.at_front[i] = state.filled[i] < 1 ? 1 : 0;
+  }
+  step.new_content = step.content;
+  for (const std::size_t g : open)
+    for (const Index node : gates.nodes(g)) {
+      if (state.filled[node] >= 1) continue;
+      step.gate_volume[node] = mesh.volume(node) * (1 - state.filled[node]);
+      step.new_content[node] = mesh.volume(node);
+      if (state.filled[node] < 0.5) state.fill_time[node] = state.time + step.duration / 2;
+      state.filled[node] = 1;
+    }
+  return true;
+}
+
+double step_duration(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                     const FillingState& state, const FlowField& field) {
+  const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
+  const FlowProfile& profile = params.process.flow;
+  const double aimed = total / params.numerics.steps;
+  const double set_rate = profile.at(state.time, fraction);
+  const double at_front = front_share * free_volume_at_front(mesh, state, field);
+  double volume = std::min(aimed, std::max(at_front, shortest_share * aimed));
+  double fraction_ahead = std::min(1.0, gates.next_fraction(state));
+  if (params.process.switchover_fraction > fraction + missing_share)
+    fraction_ahead = std::min(fraction_ahead, params.process.switchover_fraction);
+  double time_ahead = std::min(gates.next_time(state), params.process.longest_time);
+  if (profile.against == ProfileAgainst::time)
+    time_ahead = std::min(time_ahead, profile.next_row(state.time * (1 + missing_share)));
+  else
+    fraction_ahead = std::min(fraction_ahead, profile.next_row(fraction + missing_share));
+  volume = std::min(volume, fraction_ahead * total - state.injected_volume);
+  double duration = longest_share * aimed / set_rate;
+  if (field.rate > 0) duration = std::min(duration, volume / field.rate);
+  return std::min(duration, time_ahead - state.time);
+}
+
+StopReason reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
+                          const FlowField& field) {
+  if (fraction_of(mesh, state) >= 1 - missing_share) return StopReason::filled;
+  if (state.time >= params.process.longest_time * (1 - missing_share)) return StopReason::time;
+  const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
+  if (!field.limited || state.flow_rate > least_rate_share * set_rate) return StopReason::none;
+  std::size_t frozen = 0, reached = 0;
+  const std::size_t layers = state.rate.size() / mesh.node_count();
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (state.filled[i] < 1) continue;
+    const auto neighbours = mesh.neighbours(i);
+    const bool last = std::any_of(neighbours.begin(), neighbours.end(),
+                                  [&](const ShellNeighbour& to) { return state.filled[to.node] < 1; });
+    if (!last) continue;
+    ++reached;
+    if (field.inverse_viscosity[i * layers] == 0) ++frozen;
+  }
+  const bool frozen_off =
+      static_cast<double>(frozen) >= frozen_share * static_cast<double>(reached) && frozen > 0;
+  return frozen_off ? StopReason::frozen : StopReason::short_shot;
+}
+
+}  // namespace fiberfate

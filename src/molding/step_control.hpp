@@ -1,0 +1,39 @@
+// Decides what drives a step, how long it is, and when to stop.
+#pragma once
+
+#include <vector>
+
+#include "molding/filling_params.hpp"
+#include "molding/filling_state.hpp"
+#include "molding/flow_field.hpp"
+#include "molding/flow_solver.hpp"
+#include "molding/gate_control.hpp"
+#include "molding/shell_mesh.hpp"
+#include "molding/step_flow.hpp"
+
+namespace fiberfate {
+
+/// Tells what the machine wants: the profile's rate, below the pressure that it may have.
+[[nodiscard]] Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state);
+
+/// Notes pressure, rate and changes of control after a solution of the flow.
+void note_control(const FillingParams& params, const FlowField& field, double filled_fraction,
+                  FillingState& state);
+
+/// Fills the control volumes of open gates that are empty, before anything else flows: writes such a step and
+/// returns true, or returns false where there is nothing to fill.
+[[nodiscard]] bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                               const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
+                               FlowField& field);
+
+/// Tells how long the step is: the aimed volume, at most most of what is free at the front, and not past the
+/// next event.
+[[nodiscard]] double step_duration(const FillingParams& params, const ShellMesh& mesh,
+                                   const GateControl& gates, const FillingState& state,
+                                   const FlowField& field);
+
+/// Says whether and why the filling is at its end.
+[[nodiscard]] StopReason reason_to_stop(const FillingParams& params, const ShellMesh& mesh,
+                                        const FillingState& state, const FlowField& field);
+
+}  // namespace fiberfate

@@ -1,0 +1,51 @@
+// Finds by how much fibers raise the viscosity.
+#include <algorithm>
+#include <cmath>
+
+#include "base/threads.hpp"
+#include "continuum/anisotropic_stress.hpp"
+#include "microstructure/closure.hpp"
+#include "molding/orientation_transport.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// (D:A4:D)/(D:D) for shear across the gap along a direction of the surface.
+double share_of_stretching(const FillingState& state, std::size_t point, const Vec2& direction,
+                           Closure closure) {
+  Vec6 a;
+  for (std::size_t m = 0; m < 6; ++m) a[static_cast<Eigen::Index>(m)] = state.orientation[m][point];
+  Mat3 strain = Mat3::Zero();
+  strain(0, 2) = strain(2, 0) = direction[0];
+  strain(1, 2) = strain(2, 1) = direction[1];
+  return double_dot(strain, closed_double_dot(to_matrix(a), strain, closure)) / double_dot(strain, strain);
+}
+
+}  // namespace
+
+void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,
+                       const FillingState& state, const FlowField& field, std::ptrdiff_t length_field,
+                       std::vector<double>& stretching) {
+  const FiberCoupling& coupling = *params.fibers.coupling;
+  const std::size_t count = layers.count(), n = mesh.node_count();
+  const std::size_t fields = state.lengths.size() / (n * count);
+  const Closure closure = params.fibers.orientation->closure;
+  stretching.assign(n * count, 1);
+  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
+    const auto node = static_cast<std::size_t>(i);
+    if (!(state.filled[node] > 0) || field.gradient.size() != n) return;
+    const Vec2 gradient = field.gradient[node];
+    if (!(gradient.norm() > 0)) return;
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t point = node * count + k;
+      double ratio = coupling.aspect_ratio;
+      if (length_field >= 0)
+        ratio = state.lengths[point * fields + static_cast<std::size_t>(length_field)] / coupling.diameter;
+      const double fiber_term =
+          coupling.volume_fraction * particle_number(std::max(ratio, 1.001), coupling.volume_fraction);
+      stretching[point] = 1 + fiber_term * share_of_stretching(state, point, gradient.normalized(), closure);
+    }
+  });
+}
+
+}  // namespace fiberfate
