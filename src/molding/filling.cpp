@@ -186,7 +186,7 @@ void Filling::advance() {
   if (finished()) return;
   if (p.gates.update(p.state)) p.link_gates();
   if (p.open_gates.empty()) {
-    p.state.stop_reason = StopReason::short_shot;
+    p.state.stop_reason = FillingEnd::short_shot;
   } else {
     p.move_front();
     p.carry();

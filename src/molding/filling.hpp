@@ -34,7 +34,7 @@ class Filling {
   /// Makes one step; does nothing once finished. Raises SimulationFailure when a pressure or temperature is
   /// not finite.
   void advance();
-  [[nodiscard]] bool finished() const { return state().stop_reason != StopReason::none; }
+  [[nodiscard]] bool finished() const { return state().stop_reason != FillingEnd::none; }
 
   [[nodiscard]] const ShellMesh& mesh() const;
   [[nodiscard]] const FillingParams& params() const;

@@ -3,17 +3,17 @@
 
 namespace fiberfate {
 
-const char* name(StopReason reason) {
+const char* name(FillingEnd reason) {
   switch (reason) {
-    case StopReason::filled:
+    case FillingEnd::filled:
       return "filled";
-    case StopReason::short_shot:
+    case FillingEnd::short_shot:
       return "short_shot";
-    case StopReason::frozen:
+    case FillingEnd::frozen:
       return "frozen";
-    case StopReason::time:
+    case FillingEnd::time:
       return "time";
-    case StopReason::none:
+    case FillingEnd::none:
       break;
   }
   return "none";

@@ -11,14 +11,14 @@
 namespace fiberfate {
 
 /// Says why a filling is at its end.
-enum class StopReason {
+enum class FillingEnd {
   none,        ///< it is not
   filled,      ///< the cavity is full
   short_shot,  ///< the pressure that there is no longer moves the melt, or no gate is open any more
   frozen,      ///< the melt has frozen off
   time         ///< MoldingProcess::longest_time is over
 };
-[[nodiscard]] const char* name(StopReason reason);
+[[nodiscard]] const char* name(FillingEnd reason);
 
 /// Says what the machine holds at its setting.
 enum class ControlMode { flow, pressure_limit, switchover };
@@ -70,7 +70,7 @@ enum class NodeMark : std::uint8_t { none, weld_line, air_trap, last_filled };
 struct FillingState {
   double time = 0;  ///< s
   std::int64_t steps = 0;
-  StopReason stop_reason = StopReason::none;
+  FillingEnd stop_reason = FillingEnd::none;
   ControlMode control = ControlMode::flow;
   double sprue_pressure = 0;                                       ///< Pa
   double flow_rate = 0;                                            ///< m³/s

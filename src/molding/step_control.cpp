@@ -118,12 +118,12 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
   return std::min(duration, time_ahead - state.time);
 }
 
-StopReason reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
+FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
                           const FlowField& field) {
-  if (fraction_of(mesh, state) >= 1 - missing_share) return StopReason::filled;
-  if (state.time >= params.process.longest_time * (1 - missing_share)) return StopReason::time;
+  if (fraction_of(mesh, state) >= 1 - missing_share) return FillingEnd::filled;
+  if (state.time >= params.process.longest_time * (1 - missing_share)) return FillingEnd::time;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
-  if (!field.limited || state.flow_rate > least_rate_share * set_rate) return StopReason::none;
+  if (!field.limited || state.flow_rate > least_rate_share * set_rate) return FillingEnd::none;
   std::size_t frozen = 0, reached = 0;
   const std::size_t layers = state.rate.size() / mesh.node_count();
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
@@ -137,7 +137,7 @@ StopReason reason_to_stop(const FillingParams& params, const ShellMesh& mesh, co
   }
   const bool frozen_off =
       static_cast<double>(frozen) >= frozen_share * static_cast<double>(reached) && frozen > 0;
-  return frozen_off ? StopReason::frozen : StopReason::short_shot;
+  return frozen_off ? FillingEnd::frozen : FillingEnd::short_shot;
 }
 
 }  // namespace fiberfate

@@ -33,7 +33,7 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
                                    const FlowField& field);
 
 /// Says whether and why the filling is at its end.
-[[nodiscard]] StopReason reason_to_stop(const FillingParams& params, const ShellMesh& mesh,
+[[nodiscard]] FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh,
                                         const FillingState& state, const FlowField& field);
 
 }  // namespace fiberfate
