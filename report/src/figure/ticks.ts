@@ -34,6 +34,8 @@ export function make_ticks(min: number, max: number, scale: Scale, count: number
   return scale === "log" ? log_ticks(min, max) : linear_ticks(min, max, count);
 }
 
+const round_off = 1e-9;
+
 /** Widens a range to where it reads well: room at both ends, and from zero where zero is near. */
 export function pad_range(min: number, max: number, scale: Scale): [number, number] {
   if (!Number.isFinite(min) || !Number.isFinite(max)) return scale === "log" ? [1, 10] : [0, 1];
@@ -41,7 +43,9 @@ export function pad_range(min: number, max: number, scale: Scale): [number, numb
     const room = Math.max((max / min) ** 0.05, 1.1);
     return [min / room, max * room];
   }
-  if (min === max) return min === 0 ? [0, 1] : [min - Math.abs(min) * 0.5, max + Math.abs(max) * 0.5];
+  // A constant that differs by round-off only is drawn as a constant.
+  if (max - min <= round_off * Math.max(Math.abs(min), Math.abs(max)))
+    return min === 0 ? [0, 1] : [min - Math.abs(min) * 0.5, max + Math.abs(max) * 0.5];
   const room = 0.06 * (max - min);
   const low = min >= 0 && min < 0.35 * max ? 0 : min - room;
   const high = max <= 0 && max > 0.35 * min ? 0 : max + room;
