@@ -178,11 +178,45 @@ void apply(const std::vector<std::string>& overrides, TomlDocument& document) {
   for (const std::string& assignment : overrides) document.override_with(assignment);
 }
 
+InputError unknown_variant(const std::string& name, const TomlDocument& variants) {
+  std::vector<std::string> names;
+  for (const TomlTable& table : variants.tables())
+    if (table.name.find('.') == std::string::npos) names.push_back(table.name);
+  const std::string_view nearest = nearest_word(name, names);
+  return {fmt::format("{}: there is no variant {}", variants.name(), name),
+          nearest.empty() ? fmt::format("the variants are {}", fmt::join(names, ", "))
+                          : fmt::format("did you mean {}?", nearest)};
+}
+
+/// Takes the keys of the table [name], which stand there whole: "fibers.length" = "2 mm".
+void apply_variant(const std::string& name, const TomlDocument& variants, TomlDocument& document) {
+  const std::string prefix = name + '.';
+  bool found = false;
+  for (TomlEntry entry : variants.entries()) {
+    if (!entry.key.starts_with(prefix)) continue;
+    found = true;
+    entry.key.erase(0, prefix.size());
+    document.replace(std::move(entry));
+  }
+  if (!found) throw unknown_variant(name, variants);
+}
+
+void apply_variants(const std::vector<std::string>& names, const std::string& path, TomlDocument& document) {
+  if (names.empty()) return;
+  const std::string file = folder_of(path) + "/variants.toml";
+  if (!std::filesystem::exists(file))
+    throw InputError(fmt::format("{}: there is no variant {}", path, names.front()),
+                     "variants are the tables of a file variants.toml beside the case; here is none");
+  const TomlDocument variants = TomlDocument::read(file);
+  for (const std::string& name : names) apply_variant(name, variants, document);
+}
+
 }  // namespace
 
-LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides) {
+LoadedCase load_case(const std::string& path, const CaseChanges& changes) {
   TomlDocument document = TomlDocument::read(path);
-  apply(overrides, document);
+  apply_variants(changes.variants, path, document);
+  apply(changes.overrides, document);
   return read_case(document, folder_of(path), NamedFiles::must_exist);
 }
 

@@ -17,9 +17,10 @@ struct LoadedCase {
   std::vector<std::string> warnings;  ///< what is odd but admissible, formatted like errors
 };
 
-/// Reads a case file, with assignments "key=value" from the command line on top.
+/// Reads a case file, with variants and assignments from the command line on top. A variant NAME is the
+/// table [NAME] of the variants.toml beside the case: quoted keys with the values to take instead.
 /// Raises InputError with all problems of the file at once.
-[[nodiscard]] LoadedCase load_case(const std::string& path, const std::vector<std::string>& overrides = {});
+[[nodiscard]] LoadedCase load_case(const std::string& path, const CaseChanges& changes = {});
 
 /// Reads the case.resolved.toml of a result folder. Files that it names need not exist any more: what was in
 /// them is in the checkpoint.

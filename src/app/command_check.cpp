@@ -27,7 +27,7 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 int run_check(const CheckOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file, options.overrides);
+  const LoadedCase loaded = load_case(options.case_file, options.changes);
   CaseEstimate estimate = loaded.study->estimate(loaded.values);
   estimate.facts.emplace_back("memory", memory_text(estimate.memory_bytes));
   estimate.facts.emplace_back(

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "app/study.hpp"
 
 namespace fiberfate {
 
 struct CheckOptions {
   std::string case_file;
-  std::vector<std::string> overrides;  ///< "key=value"
+  CaseChanges changes;
 };
 
 /// Reads and validates a case and prints it resolved, with what follows from it and what it needs; returns

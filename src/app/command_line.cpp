@@ -67,9 +67,15 @@ struct Commands {
   int status = 0;
 };
 
-void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+void add_changes(CLI::App& command, CaseChanges& changes) {
   command
-      .add_option("--set", overrides,
+      .add_option(
+          "--variant", changes.variants,
+          "Take the values of [NAME] in the variants.toml beside the case; may be given more than once")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  command
+      .add_option("--set", changes.overrides,
                   "Replace a value of the case: --set fibers.length=\"2 mm\"; may be given more than once")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -122,7 +128,7 @@ void add_case_commands(CLI::App& app, Commands& commands) {
   CLI::App* check = app.add_subcommand("check", "Validate a case; print it resolved, with what it needs");
   check->footer("Example:\n  fiberfate check case.toml --set flow.rate=\"100 1/s\"");
   check->add_option("case", commands.check.case_file, "The case file")->required()->type_name("CASE.toml");
-  add_overrides(*check, commands.check.overrides);
+  add_changes(*check, commands.check.changes);
   check->callback([&commands] { commands.status = run_check(commands.check); });
 
   CLI::App* explain = app.add_subcommand("explain", "Explain a key, a table or a study");
@@ -143,7 +149,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   run->add_option("case", commands.run.case_file, "The case file")->required()->type_name("CASE.toml");
   run->add_option("--out", commands.run.out, "The result folder")->type_name("DIR");
   add_limits(*run, commands.run, commands.run_until);
-  add_overrides(*run, commands.run.overrides);
+  add_changes(*run, commands.run.changes);
   add_overwrite(*run, commands.run.existing, "a result");
   run->callback([&commands] {
     if (!commands.run_until.empty()) commands.run.until = quantity("--until", commands.run_until, "s");

@@ -28,7 +28,7 @@ std::string default_folder(const std::string& case_file) {
 }  // namespace
 
 int run_run(const RunOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file, options.overrides);
+  const LoadedCase loaded = load_case(options.case_file, options.changes);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
   ResultFolder folder = ResultFolder::create(path, options.existing);

@@ -24,14 +24,20 @@ enum class StopReason { done, time_reached, steps_reached, signal };
 /// Says how a run shows that it is alive.
 enum class ProgressKind { automatic, line, log, none };
 
+/// Holds what the command line changes about a case file, in the order in which it is applied.
+struct CaseChanges {
+  std::vector<std::string> variants;   ///< tables of the variants.toml beside the case file
+  std::vector<std::string> overrides;  ///< "key=value"
+};
+
 /// Holds what the command line says about one run; what the case says is in the case.
 struct RunOptions {
-  std::string case_file;               ///< of `run`; empty when resuming
-  std::string out;                     ///< result folder; empty: named after the case file
-  std::optional<int> threads;          ///< instead of run.threads
-  std::optional<double> until;         ///< simulated time at which to stop, s, instead of run.duration
-  std::optional<std::int64_t> steps;   ///< most steps to make in this call
-  std::vector<std::string> overrides;  ///< "key=value"
+  std::string case_file;              ///< of `run`; empty when resuming
+  std::string out;                    ///< result folder; empty: named after the case file
+  std::optional<int> threads;         ///< instead of run.threads
+  std::optional<double> until;        ///< simulated time at which to stop, s, instead of run.duration
+  std::optional<std::int64_t> steps;  ///< most steps to make in this call
+  CaseChanges changes;
   ProgressKind progress = ProgressKind::automatic;
   enum class Existing { refuse, overwrite } existing = Existing::refuse;
 };

@@ -209,8 +209,12 @@ void TomlDocument::override_with(const std::string& assignment) {
   } catch (const InputError&) {  // not TOML: the text itself is the value
   }
   value.place = place;
-  std::erase_if(entries_, [&key](const TomlEntry& entry) { return entry.key == key; });
-  entries_.push_back({key, place, std::move(value)});
+  replace({key, place, std::move(value)});
+}
+
+void TomlDocument::replace(TomlEntry entry) {
+  std::erase_if(entries_, [&entry](const TomlEntry& old) { return old.key == entry.key; });
+  entries_.push_back(std::move(entry));
 }
 
 const TomlEntry* TomlDocument::find(std::string_view key) const {

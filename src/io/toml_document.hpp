@@ -54,6 +54,8 @@ class TomlDocument {
   /// file's. The value is read as TOML where it is TOML, else as text, so that units need no second pair of
   /// quotes. Raises InputError when there is no '=' or no key.
   void override_with(const std::string& assignment);
+  /// Sets a key to an entry of another file; messages go on to cite that file.
+  void replace(TomlEntry entry);
 
   /// Finds a key; null when it is not given.
   [[nodiscard]] const TomlEntry* find(std::string_view key) const;

@@ -265,6 +265,34 @@ def test_overrides_are_checked_like_the_file(tmp_path):
         "command line: --until = 3 m: 'm' does not have the dimension of 's': give a quantity such as \"1.5 s\""]
 
 
+VARIANTS = """[dense]
+"fibers.count" = 7
+"flow.rate" = "3 1/s"
+[wrong]
+"fibers.diametre" = "19 um"
+"""
+
+
+def test_a_variant_replaces_values_and_overrides_come_on_top(tmp_path):
+    (tmp_path / "case.toml").write_text(CASE, encoding="utf-8")
+    (tmp_path / "variants.toml").write_text(VARIANTS, encoding="utf-8")
+    done = call("check", "case.toml", "--set", "flow.rate=4 1/s", "--variant", "dense", folder=tmp_path, expect=0)
+    assert "\ncount = 7\n" in done.stdout and "\nrate = 4.0  # 1/s\n" in done.stdout
+
+
+def test_variants_are_checked_like_the_case(tmp_path):
+    no_file = refuse(tmp_path, CASE, "--variant", "dense")
+    assert no_file == ["case.toml: there is no variant dense: variants are the tables of a file variants.toml beside the case; "
+                       "here is none"]
+    (tmp_path / "variants.toml").write_text(VARIANTS, encoding="utf-8")
+    assert refuse(tmp_path, CASE, "--variant", "dens") == [
+        "./variants.toml: there is no variant dens: did you mean dense?"]
+    assert refuse(tmp_path, CASE, "--variant", "other_one") == [
+        "./variants.toml: there is no variant other_one: the variants are dense, wrong"]
+    assert refuse(tmp_path, CASE, "--variant", "wrong") == [
+        './variants.toml:5:1: fibers.diametre = "19 um": unknown key in study shear_cell: did you mean fibers.diameter?']
+
+
 def test_a_later_override_wins(tmp_path):
     (tmp_path / "case.toml").write_text(CASE, encoding="utf-8")
     done = call("check", "case.toml", "--set", "fibers.count=3", "--set", "fibers.count=4", folder=tmp_path, expect=0)

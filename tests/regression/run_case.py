@@ -19,17 +19,17 @@ import tomllib
 PROGRAM = os.environ.get("FIBERFATE", "fiberfate")
 
 
-def overrides(folder):
+def variant(folder):
     variants = folder / "variants.toml"
-    short = tomllib.loads(variants.read_text(encoding="utf-8")).get("short", {}) if variants.exists() else {}
-    return [word for key, value in short.items() for word in ("--set", f"{key}={json.dumps(value)}")]
+    is_shortened = variants.exists() and "short" in tomllib.loads(variants.read_text(encoding="utf-8"))
+    return ["--variant", "short"] if is_shortened else []
 
 
 def run(folder):
     """Runs the shortened case and returns its summary."""
     with tempfile.TemporaryDirectory() as scratch:
         out = pathlib.Path(scratch) / "result"
-        words = [PROGRAM, "run", str(folder / "case.toml"), "--out", str(out), "--progress", "none", *overrides(folder)]
+        words = [PROGRAM, "run", str(folder / "case.toml"), "--out", str(out), "--progress", "none", *variant(folder)]
         done = subprocess.run(words, capture_output=True, text=True, check=False)
         if done.returncode != 0:
             sys.exit(f"{folder.name}: exit status {done.returncode}\n{done.stderr}")

@@ -155,12 +155,8 @@ TEST(Gallery, EveryCaseAndVariantIsValid) {
     if (!std::filesystem::exists(path + "/variants.toml")) continue;
     const TomlDocument variants = TomlDocument::read(path + "/variants.toml");
     for (const TomlTable& variant : variants.tables()) {
-      std::vector<std::string> overrides;
-      for (const TomlEntry& entry : variants.entries())
-        if (entry.key.starts_with(variant.name + '.'))
-          overrides.push_back(entry.key.substr(variant.name.size() + 1) + "=" + entry.value.written);
-      EXPECT_FALSE(overrides.empty()) << path << " " << variant.name;
-      EXPECT_NO_THROW(static_cast<void>(load_case(path + "/case.toml", overrides)))
+      EXPECT_NO_THROW(
+          static_cast<void>(load_case(path + "/case.toml", {.variants = {variant.name}, .overrides = {}})))
           << path << " " << variant.name;
     }
   }
