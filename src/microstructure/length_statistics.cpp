@@ -52,6 +52,13 @@ Sums sums_of(const MeasuredLengths& fibers) {
   return sums;
 }
 
+/// Tells the bin of a length, or as many as there are bins for one outside the edges.
+std::size_t bin_of(double length, const std::vector<double>& edges) {
+  if (length < edges.front() || length > edges.back()) return edges.size() - 1;
+  const auto above = std::ranges::upper_bound(edges, length) - edges.begin();
+  return std::min(static_cast<std::size_t>(above), edges.size() - 1) - 1;
+}
+
 void normalise(std::vector<double>& shares) {
   double sum = 0;
   for (const double share : shares) sum += share;
@@ -89,16 +96,37 @@ LengthShares length_shares(const MeasuredLengths& fibers, const std::vector<doub
     throw InputError("the edges of the bins do not rise", "give at least two edges in rising order");
   LengthShares shares{edges, std::vector<double>(edges.size() - 1), std::vector<double>(edges.size() - 1)};
   for (std::size_t i = 0; i < fibers.lengths.size(); ++i) {
-    const double length = fibers.lengths[i];
-    if (length < edges.front() || length > edges.back()) continue;
-    const auto above = std::ranges::upper_bound(edges, length) - edges.begin();
-    const auto bin = std::min(static_cast<std::size_t>(above), edges.size() - 1) - 1;
+    const std::size_t bin = bin_of(fibers.lengths[i], edges);
+    if (bin == shares.by_number.size()) continue;
     shares.by_number[bin] += number_of(fibers, i);
-    shares.by_length[bin] += number_of(fibers, i) * length;
+    shares.by_length[bin] += number_of(fibers, i) * fibers.lengths[i];
   }
   normalise(shares.by_number);
   normalise(shares.by_length);
   return shares;
+}
+
+std::vector<double> share_deviations(const MeasuredLengths& fibers, const LengthShares& shares) {
+  require_usable(fibers);
+  const std::size_t bins = shares.by_number.size();
+  std::vector<double> squares(bins, 0.0);  // of the numbers in each bin
+  double square = 0, sum = 0, rows = 0;
+  for (std::size_t i = 0; i < fibers.lengths.size(); ++i) {
+    const std::size_t bin = bin_of(fibers.lengths[i], shares.edges);
+    if (bin == bins) continue;
+    const double number = number_of(fibers, i);
+    squares[bin] += number * number;
+    square += number * number;
+    sum += number;
+    ++rows;
+  }
+  std::vector<double> deviations(bins);
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double share = shares.by_number[k];
+    const double variance = squares[k] * (1 - share) * (1 - share) + (square - squares[k]) * share * share;
+    deviations[k] = std::sqrt(std::max(variance, square / rows)) / sum;
+  }
+  return deviations;
 }
 
 std::vector<double> even_edges(const MeasuredLengths& fibers, int bins) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -49,6 +50,24 @@ Mat3 counted_moment(const MeasuredDirections& fibers, const std::vector<int>& co
 
 Vec3 direction_of(double theta, double phi) {
   return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+MeasuredDirections corrected_for_cut(const MeasuredDirections& measured, const Vec3& normal,
+                                     double aspect_ratio) {
+  require_usable(measured);
+  if (!(normal.norm() > 0) || !normal.allFinite())
+    throw InputError("the normal of the cut has no direction", "give a vector across the cut");
+  if (!(aspect_ratio >= 1))
+    throw InputError(fmt::format("an aspect ratio of {:g} is impossible on a cut", aspect_ratio),
+                     "give length over diameter, at least 1");
+  const Vec3 across = normal.normalized();
+  MeasuredDirections corrected = measured;
+  corrected.weights.resize(measured.directions.size());
+  for (std::size_t i = 0; i < measured.directions.size(); ++i) {
+    const double met = std::max(std::abs(measured.directions[i].normalized().dot(across)), 1 / aspect_ratio);
+    corrected.weights[i] = (measured.weights.empty() ? 1 : measured.weights[i]) / met;
+  }
+  return corrected;
 }
 
 Mat3 second_moment(const MeasuredDirections& fibers) {

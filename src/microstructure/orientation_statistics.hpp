@@ -14,12 +14,19 @@ namespace fiberfate {
 /// from axis 1 towards axis 2.
 [[nodiscard]] Vec3 direction_of(double theta, double phi);
 
-/// Holds measured fibers: directions of any length but zero, and what each counts for (its length, or 1/cos
-/// of its angle to a cut's normal; empty: all alike).
+/// Holds measured fibers: directions of any length but zero, and what each counts for (its length, say;
+/// empty: all alike).
 struct MeasuredDirections {
   std::vector<Vec3> directions;
   std::vector<double> weights = {};
 };
+
+/// Weighs fibers that were found on a plane cut so that they stand for the volume: a cut of normal n meets
+/// fibers of length L in proportion to L |p·n|, and those that lie in it in proportion to their diameter D,
+/// so each counts w/max(|p·n|, D/L). Presumes straight fibers of one aspect ratio L/D. Raises InputError for
+/// a zero normal or an aspect ratio below 1. Source: Bay, Tucker, Polym. Eng. Sci. 32, 240 (1992).
+[[nodiscard]] MeasuredDirections corrected_for_cut(const MeasuredDirections& measured, const Vec3& normal,
+                                                   double aspect_ratio);
 
 /// A2 = sum w p p / sum w. Raises InputError for an empty list, a zero or non-finite direction, a negative
 /// weight.

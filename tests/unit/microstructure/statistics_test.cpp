@@ -30,6 +30,17 @@ TEST(LengthStatistics, SharesSumToOneAndKeepTheEdges) {
   EXPECT_THROW((void)length_shares(list, {0, 0}), InputError);
 }
 
+TEST(LengthStatistics, DeviationsOfSharesAreThoseOfTheBootstrap) {
+  const MeasuredLengths list{{1, 1, 1, 3, 3, 3, 3, 5}, {2, 1, 1, 1, 1, 1, 1, 1}};
+  const LengthShares shares = length_shares(list, {0, 2, 4, 6, 8});
+  const std::vector<double> deviations = share_deviations(list, shares);
+  // Counts 1: sum N² over (sum N)²; an empty bin has that of one fiber.
+  const double share = 4.0 / 9, inside = 4 + 1 + 1, outside = 5;
+  EXPECT_NEAR(deviations[0], std::sqrt(inside * (1 - share) * (1 - share) + outside * share * share) / 9,
+              1e-15);
+  EXPECT_NEAR(deviations[3], std::sqrt(11.0 / 8) / 9, 1e-15);
+}
+
 /// Drops fibers at random on a plane and keeps those that meet a circle: the experiment that the correction
 /// undoes.
 MeasuredLengths caught_by_circle(const std::vector<double>& lengths, double diameter, int drops) {
@@ -86,6 +97,24 @@ TEST(OrientationStatistics, MomentsFollowTheirDefinitions) {
   const Vec3 p = direction_of(pi / 2, pi / 2);
   EXPECT_NEAR(p[1], 1, 1e-15);
   EXPECT_THROW((void)second_moment(MeasuredDirections{{Vec3::Zero()}}), InputError);
+}
+
+/// Planes cut fibers in proportion to |p·n|; with what is caught weighed back, the whole population results.
+TEST(OrientationStatistics, TheCorrectionOfACutUndoesIt) {
+  MeasuredDirections all, caught;
+  const Vec3 normal(0, 0, 2);
+  for (std::uint32_t i = 0; i < 100000; ++i) {
+    const auto u = uniform4(3, RandomStream::noise, {i});
+    const double theta = std::acos(1 - 2 * u[0]) * 0.8, phi = 2 * pi * u[1];
+    all.directions.push_back(direction_of(theta, phi));
+    if (u[2] < std::max(std::abs(std::cos(theta)), 0.05)) caught.directions.push_back(all.directions.back());
+  }
+  const Mat3 truth = second_moment(all);
+  EXPECT_GT(second_moment(caught)(2, 2), truth(2, 2) + 0.1);
+  const Mat3 corrected = second_moment(corrected_for_cut(caught, normal, 20));
+  EXPECT_LT((corrected - truth).norm(), 0.01);  // 1e5 fibers: standard error of each component 0.001
+  EXPECT_THROW((void)corrected_for_cut(caught, Vec3::Zero(), 20), InputError);
+  EXPECT_THROW((void)corrected_for_cut(caught, normal, 0.5), InputError);
 }
 
 TEST(OrientationStatistics, BootstrapIntervalsEncloseTheEstimateAndRepeat) {
