@@ -14,13 +14,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Everything that a run, or a report about it, writes; the leftovers of a killed run too.
+// What a run, or a report about it, writes and what a result is known by; the leftovers of a killed run too.
 constexpr std::array result_files = {
-    "case.resolved.toml",     "summary.json",       "series.csv",     "breaks.csv",        "result.vtkhdf",
-    "result.vtkhdf.next",     "result.vtkhdf.kept", "checkpoint.h5",  "checkpoint.h5.new",
+    "case.resolved.toml",
+    "summary.json",
+    "series.csv",
+    "breaks.csv",
+    "result.vtkhdf",
+    "result.vtkhdf.next",
+    "result.vtkhdf.kept",
+    "checkpoint.h5",
+    "checkpoint.h5.new",
+    "checkpoint.previous.h5",
+    "failure.h5",
+    "failure.h5.new",
+    "log.txt",
+    "report.html",
+};
 
-    "checkpoint.previous.h5", "failure.h5",         "failure.h5.new", "log.txt",           "report.html",
-
+// Tables that some studies add; alone they are no result.
+constexpr std::array study_tables = {
+    "histogram.csv",    "histogram_compared.csv",
+    "distribution.csv", "directions.csv",
+    "modulus.csv",      "fit.csv",
+    "curves.csv",       "profile.csv",
+    "bootstrap.csv",    "sweep.csv",
 };
 
 std::string without_slash(std::string path) {
@@ -37,6 +55,7 @@ bool ResultFolder::holds_result() const {
 
 void ResultFolder::remove() const {
   for (const char* name : result_files) fs::remove(file(name));
+  for (const char* name : study_tables) fs::remove(file(name));
   if (fs::is_empty(path_)) fs::remove(path_);
 }
 
