@@ -9,7 +9,9 @@
 #include "app/studies/calibration_run.hpp"
 #include "app/studies/cluster_case.hpp"
 #include "app/studies/cluster_run.hpp"
+#include "app/studies/measurement_run.hpp"
 #include "app/studies/orientation_run.hpp"
+#include "app/studies/properties_run.hpp"
 #include "app/studies/shear_cell_case.hpp"
 #include "app/studies/shear_cell_run.hpp"
 
@@ -66,6 +68,14 @@ const std::vector<Study>& studies() {
           "orientation", "follow the orientation tensor through a flow history by an orientation law",
           describe_orientation, validate_orientation, estimate_orientation, run_orientation,
           resume_orientation, report_orientation}),
+      erase_type(StudyFunctions<MeasurementCase>{
+          "measurement", "evaluate lists of measured fiber lengths and directions, with intervals",
+          describe_measurement, validate_measurement, estimate_measurement, run_measurement,
+          resume_measurement, report_measurement}),
+      erase_type(StudyFunctions<PropertiesCase>{
+          "properties", "predict stiffness and thermal expansion from the lengths and orientation of fibers",
+          describe_properties, validate_properties, estimate_properties, run_properties, resume_properties,
+          report_properties}),
   };
   return all;
 }

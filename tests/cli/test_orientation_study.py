@@ -1,4 +1,5 @@
 """Orientation: known steady states from the command line, and what a user is told."""
+import math
 from pathlib import Path
 
 import pytest
@@ -66,6 +67,41 @@ def test_a_table_of_gradients(tmp_path):
     behind_the_gate = [a for t, a in zip(time, a22) if t <= 0.85][-1]
     assert behind_the_gate > [a for t, a in zip(time, a22) if t <= 0.5][-1]
     assert values["shape_factor"] == pytest.approx(624 / 626)
+
+
+def test_the_stress_of_aligned_and_of_random_fibers(tmp_path):
+    stressed = IARD.format(c_m=0.5, kind="uniaxial") + """
+[melt]
+name = "cross_wlf"
+tau = 25000
+n = 0.3
+D1 = 5e12
+D2 = 263.15
+A1 = 28
+[fibers]
+aspect_ratio = 25
+volume_fraction = 0.1
+"""
+    folder, values = result_of(tmp_path, written(tmp_path, stressed))
+    term = 0.1 * 25**2 / (3 * math.log(math.sqrt(math.pi / 0.1)))
+    assert values["fiber_term"] == pytest.approx(term)
+    matrix, effective = column(folder, "viscosity_Pa_s"), column(folder, "effective_viscosity_Pa_s")
+    assert effective[0] == pytest.approx(matrix[0] * (1 + term * 2 / 15))
+    assert matrix[0] < effective[0] < effective[-1] < matrix[-1] * (1 + term * 2 / 3)
+    # tau:D, which the informed viscosity is made to keep; D = diag(2, -1, -1)/(2 sqrt 3).
+    tensile = column(folder, "stress_11_Pa")[-1] - column(folder, "stress_22_Pa")[-1]
+    assert tensile / math.sqrt(3) == pytest.approx(effective[-1], rel=1e-9)
+    run("report", folder)
+
+
+@pytest.mark.parametrize("melt, words", [
+    ('name = "newtonian"', ["melt.eta_0: not given", "fibers.fiber_term: not given"]),
+    ('name = "newtonian"\neta_0 = 100\n[fibers]\nvolume_fraction = 0.1', ["fibers.aspect_ratio"]),
+    ('name = "newtonian"\neta_0 = 100\n[fibers]\nvolume_fraction = 0.1\nfiber_term = 3', ["contradicts"])])
+def test_faults_of_the_stress_are_told(tmp_path, melt, words):
+    refused = run("check", written(tmp_path, IARD.format(c_m=0.5, kind="shear") + "[melt]\n" + melt), expect=2)
+    for word in words:
+        assert word in refused.stdout + refused.stderr
 
 
 def test_doubtful_diffusion_is_told(tmp_path):

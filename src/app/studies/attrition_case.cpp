@@ -62,12 +62,7 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
     checker.error("fibers.length",
                   given == 0 ? "no lengths are given" : "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");
-  if (means && !(fibers.number_average && fibers.weight_average))
-    checker.error(fibers.number_average ? "fibers.weight_average" : "fibers.number_average", "not given",
-                  "give both mean lengths");
-  else if (means && !(*fibers.number_average < *fibers.weight_average))
-    checker.error("fibers.number_average", "not less than " + checker.cite("fibers.weight_average"),
-                  "L_N is less than L_W; for equal lengths give fibers.length");
+  if (means) validate_mean_lengths(fibers, checker);
   if (!fibers.distribution.empty() && std::all_of(fibers.distribution.begin(), fibers.distribution.end(),
                                                   [](const auto& row) { return row[1] == 0; }))
     checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
@@ -96,6 +91,15 @@ void validate_output(const AttritionCase& values, CaseChecker& checker) {
 }
 
 }  // namespace
+
+void validate_mean_lengths(const AttritionFiberChoices& fibers, CaseChecker& checker) {
+  if (!(fibers.number_average && fibers.weight_average))
+    checker.error(fibers.number_average ? "fibers.weight_average" : "fibers.number_average", "not given",
+                  "give both mean lengths");
+  else if (!(*fibers.number_average < *fibers.weight_average))
+    checker.error("fibers.number_average", "not less than " + checker.cite("fibers.weight_average"),
+                  "L_N is less than L_W; for equal lengths give fibers.length");
+}
 
 void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
   validate_law(attrition_menu(), "law", values.law, checker);

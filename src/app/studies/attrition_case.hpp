@@ -68,7 +68,12 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker);
 /// Adds the keys of [flow] that describe a Couette rheometer, and of [fibers] and their bins; calibration has
 /// them too.
 void describe_couette(KeyTable& table, const std::string& section, CouetteRheometer& couette);
+void describe_initial_distribution(KeyTable& table, const std::string& section,
+                                   AttritionFiberChoices& fibers);
 void describe_length_form(KeyTable& table, const std::string& section, AttritionFiberChoices& fibers);
+
+/// Finds what is wrong where mean lengths are given; calibration asks too.
+void validate_mean_lengths(const AttritionFiberChoices& fibers, CaseChecker& checker);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] LengthHistory length_history(const AttritionFlowChoices& flow);

@@ -60,19 +60,7 @@ void describe_fibers(KeyTable& table, AttritionFiberChoices& fibers) {
                   .need = Need::usual,
                   .example = "\"15 mm\"",
                   .source = "thesis chapter 5"});
-  table.rows(
-      "fibers.distribution", fibers.distribution,
-      {{"length", {"m", "mm"}, Range::positive(10)}, {"number", {"1", "1"}, Range::not_negative()}},
-      {.text = "Classes: rows [length, number of fibers], or the path of a text file with such rows in SI.",
-       .example = R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])",
-       .source = "thesis 4.4"});
-  table.quantity("fibers.number_average", fibers.number_average,
-                 {.text = "L_N at the start; with form = \"distribution\", of a Weibull distribution.",
-                  .unit = "m",
-                  .friendly = "mm",
-                  .range = Range::positive(10)});
-  table.quantity("fibers.weight_average", fibers.weight_average,
-                 {.text = "L_W at the start.", .unit = "m", .friendly = "mm", .range = Range::positive(10)});
+  describe_initial_distribution(table, "fibers", fibers);
   describe_length_form(table, "fibers", fibers);
 }
 
@@ -122,6 +110,23 @@ void describe_couette(KeyTable& table, const std::string& section, CouetteRheome
   table.quantity(section + ".power_law_index", couette.power_law_index,
                  {.text = "Power-law index of the melt for the exact rates; 1 is Newtonian.",
                   .range = Range::positive(2)});
+}
+
+void describe_initial_distribution(KeyTable& table, const std::string& section,
+                                   AttritionFiberChoices& fibers) {
+  table.rows(
+      section + ".distribution", fibers.distribution,
+      {{"length", {"m", "mm"}, Range::positive(10)}, {"number", {"1", "1"}, Range::not_negative()}},
+      {.text = "Classes: rows [length, number of fibers], or the path of a text file with such rows in SI.",
+       .example = R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])",
+       .source = "thesis 4.4"});
+  table.quantity(section + ".number_average", fibers.number_average,
+                 {.text = "L_N at the start; with form = \"distribution\", of a Weibull distribution.",
+                  .unit = "m",
+                  .friendly = "mm",
+                  .range = Range::positive(10)});
+  table.quantity(section + ".weight_average", fibers.weight_average,
+                 {.text = "L_W at the start.", .unit = "m", .friendly = "mm", .range = Range::positive(10)});
 }
 
 void describe_length_form(KeyTable& table, const std::string& section, AttritionFiberChoices& fibers) {

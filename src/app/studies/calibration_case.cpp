@@ -71,12 +71,33 @@ void validate_conditions(const CalibrationCase& values, CaseChecker& checker) {
     if (flow != "shear" && flow != "planar" && flow != "uniaxial" && flow != "biaxial")
       checker.error("conditions.flows", fmt::format("there is no flow '{}'", flow),
                     "give shear, planar, uniaxial or biaxial");
-  if (conditions.lengths.empty() && !calibrates_orientation(values))
-    checker.error("conditions.lengths", "not given; attrition starts from a length",
-                  "add lengths = [\"15 mm\"]");
   if (values.fibers.form == LengthForm::means && (values.law.name == "phelps" || values.law.name == "durin"))
     checker.error("fibers.form", "phelps and durin follow distributions only",
                   "take form = \"distribution\"");
+}
+
+void validate_lengths(const CalibrationCase& values, CaseChecker& checker) {
+  const AttritionFiberChoices& fibers = values.fibers;
+  if (calibrates_orientation(values)) {
+    checker.warn_unused(
+        {"conditions.lengths", "fibers.distribution", "fibers.number_average", "fibers.weight_average"},
+        "an attrition law");
+    return;
+  }
+  const bool means = fibers.number_average || fibers.weight_average;
+  const int given =
+      (values.conditions.lengths.empty() ? 0 : 1) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
+  if (given != 1)
+    checker.error(
+        "conditions.lengths",
+        given == 0 ? "not given; attrition starts from a length" : "lengths are given in more than one way",
+        "give conditions.lengths = [\"15 mm\"], or fibers.distribution, or both mean lengths under [fibers]");
+  if (means) validate_mean_lengths(fibers, checker);
+  if (fibers.form == LengthForm::distribution) return;
+  for (const std::vector<std::string>& row : values.data.series)
+    if (row[1] == "histogram")
+      checker.error("fibers.form", "means hold no histogram to compare with data.series",
+                    "take form = \"distribution\"");
 }
 
 void validate_search(const CalibrationCase& values, CaseChecker& checker) {
@@ -110,6 +131,7 @@ const LawChoice& calibrated_law(const CalibrationCase& values) {
 void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
   validate_choice_of_law(values, checker);
   validate_conditions(values, checker);
+  validate_lengths(values, checker);
   validate_search(values, checker);
   if (!checker.is_sound()) return;
   try {

@@ -9,6 +9,7 @@
 #include "app/key_table.hpp"
 #include "app/studies/attrition_case.hpp"
 #include "app/studies/law_choice.hpp"
+#include "app/studies/orientation_case.hpp"
 #include "app/study.hpp"
 #include "calibration/fit_problem.hpp"
 
@@ -25,7 +26,8 @@ struct CalibrationConditions {
   std::vector<double> pressures;     ///< Pa, for [melt]
   std::vector<double> lengths;       ///< at the start, m
   std::vector<double> compressions;
-  std::vector<std::string> flows;           ///< shear, planar, uniaxial, biaxial; for orientation
+  std::vector<std::string> flows;  ///< shear, planar, uniaxial, biaxial; for orientation
+  ShearGradient shear_gradient = ShearGradient::y;
   Mat3 orientation = Mat3::Identity() / 3;  ///< A2 at the start
 };
 
@@ -65,8 +67,7 @@ struct CalibrationCase {
   LawChoice orientation;  ///< or orientation
   std::string closure = "ibof";
   LawChoice melt = {"newtonian", {}};
-  AttritionFiberChoices
-      fibers;  ///< how lengths are followed; of these, form, weight, bins and largest_length
+  AttritionFiberChoices fibers;  ///< lengths at the start of every condition, and how they are followed
   CalibrationConditions conditions;
   CalibrationData data;
   CalibrationSearch search;

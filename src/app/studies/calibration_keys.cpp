@@ -39,7 +39,7 @@ void describe_conditions(KeyTable& table, CalibrationConditions& conditions) {
                     .friendly = "MPa",
                     .range = Range::between(0, 1e10)});
   table.quantities("conditions.lengths", conditions.lengths,
-                   {.text = "Fiber lengths at the start.",
+                   {.text = "Fiber lengths at the start, where they differ between conditions.",
                     .unit = "m",
                     .friendly = "mm",
                     .range = Range::positive(10),
@@ -47,9 +47,9 @@ void describe_conditions(KeyTable& table, CalibrationConditions& conditions) {
   table.quantities("conditions.compressions", conditions.compressions,
                    {.text = "-2 D:A/rate, for phelps and durin; not given: 1, the worst direction.",
                     .range = Range::between(0, 1)});
-  describe_texts(
-      table, "conditions.flows", conditions.flows,
-      {.text = "For orientation: shear (v_1 = rate x_3), planar, uniaxial or biaxial; not given: shear."});
+  describe_texts(table, "conditions.flows", conditions.flows,
+                 {.text = "For orientation: shear, planar, uniaxial or biaxial; not given: shear."});
+  describe_shear_gradient(table, "conditions", conditions.shear_gradient);
   table.orientation("conditions.orientation", conditions.orientation,
                     {.text = "A2 at the start, for orientation."});
 }
@@ -148,7 +148,8 @@ void describe_calibration(KeyTable& table, CalibrationCase& values) {
                {"melt", "Viscosity of the matrix, where conditions.viscosities is not given.",
                 "\"newtonian\"", Need::optional},
                values.melt);
-  table.section("fibers", "How lengths are followed.");
+  table.section("fibers", "Lengths at the start of every condition, and how they are followed.");
+  describe_initial_distribution(table, "fibers", values.fibers);
   describe_length_form(table, "fibers", values.fibers);
   describe_conditions(table, values.conditions);
   describe_data(table, values.data);

@@ -41,11 +41,11 @@ double entry(const std::vector<double>& list, std::size_t condition, double stan
   return list.size() == 1 ? list[0] : list[condition];
 }
 
-Mat3 gradient_of(const std::string& flow) {
+Mat3 gradient_of(const std::string& flow, ShearGradient shear) {
   if (flow == "planar") return planar_elongation_gradient();
   if (flow == "uniaxial") return uniaxial_elongation_gradient();
   if (flow == "biaxial") return biaxial_elongation_gradient();
-  return simple_shear_gradient();
+  return shear_gradient(shear, 1);
 }
 
 std::vector<Condition> make_conditions(const CalibrationCase& values,
@@ -56,10 +56,11 @@ std::vector<Condition> make_conditions(const CalibrationCase& values,
     Condition& one = conditions[i];
     one.flow = condition_flow(values, i);
     AttritionFiberChoices fibers = values.fibers;
-    fibers.length = entry(given.lengths, i, 1e-3);
+    if (!given.lengths.empty() || calibrates_orientation(values))
+      fibers.length = entry(given.lengths, i, 1e-3);
     one.start = length_start(fibers);
     const std::string flow = given.flows.empty() ? "shear" : given.flows[given.flows.size() == 1 ? 0 : i];
-    one.gradient = one.flow.rate * gradient_of(flow);
+    one.gradient = one.flow.rate * gradient_of(flow, given.shear_gradient);
     one.orientation = given.orientation;
   }
   for (const MeasuredSeries& one : series) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "continuum/anisotropic_stress.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/closure.hpp"
 
@@ -45,10 +46,8 @@ Mat3 row_gradient(const std::vector<double>& row, std::size_t first) {
 }
 
 Mat3 constant_gradient(const OrientationFlowChoices& flow) {
-  const int across = flow.shear_gradient == ShearGradient::y ? 1 : 2;
   const double rate = flow.rate.value_or(0);
-  Mat3 shear = Mat3::Zero();
-  shear(0, across) = rate;
+  Mat3 shear = shear_gradient(flow.shear_gradient, rate);
   switch (flow.kind) {
     case OrientationFlow::planar:
       return rate * planar_elongation_gradient();
@@ -60,7 +59,7 @@ Mat3 constant_gradient(const OrientationFlowChoices& flow) {
       return row_gradient(flow.gradient.front(), 0);
     case OrientationFlow::mixed:
       shear(0, 0) = flow.elongation_rate.value_or(0);
-      shear(across, across) = -shear(0, 0);
+      (flow.shear_gradient == ShearGradient::y ? shear(1, 1) : shear(2, 2)) = -shear(0, 0);
       return shear;
     default:
       return shear;
@@ -106,6 +105,27 @@ void validate_flow(const OrientationFlowChoices& flow, CaseChecker& checker) {
   }
 }
 
+void validate_stress(const OrientationCase& values, CaseChecker& checker) {
+  const OrientationFiberChoices& fibers = values.fibers;
+  if (values.melt.name.empty()) {
+    checker.warn_unused({"fibers.volume_fraction", "fibers.fiber_term", "fibers.trouton_term",
+                         "flow.temperature", "flow.pressure"},
+                        "a law under [melt]");
+    return;
+  }
+  validate_law(viscosity_menu(), "melt", values.melt, checker);
+  if (fibers.fiber_term && fibers.volume_fraction)
+    checker.error("fibers.volume_fraction", "contradicts " + checker.cite("fibers.fiber_term"),
+                  "remove one of the two");
+  else if (!fibers.fiber_term && !fibers.volume_fraction)
+    checker.error("fibers.fiber_term", "not given, nor is volume_fraction; the stress needs one",
+                  "add fiber_term = 10 under [fibers]");
+  else if (fibers.volume_fraction && !(fibers.aspect_ratio.value_or(0) > 1))
+    checker.error("fibers.aspect_ratio",
+                  "not given or not above 1; a volume fraction needs it for the stress",
+                  "add aspect_ratio = 25 under [fibers], or give fiber_term");
+}
+
 void warn_of_doubts(const OrientationCase& values, CaseChecker& checker) {
   const Mat3 gradient = gradient_history(values.flow).at(0);
   if (std::abs(gradient.trace()) > 1e-9 * gradient.cwiseAbs().maxCoeff())
@@ -132,6 +152,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   validate_law(diffusion_menu(), "diffusion", values.diffusion, checker);
   validate_law(retardation_menu(), "retardation", values.retardation, checker);
   validate_flow(values.flow, checker);
+  validate_stress(values, checker);
   if (values.duration > 0 && values.interval && values.duration / *values.interval > most_rows)
     checker.error("output.interval", fmt::format("makes {:.3g} rows", values.duration / *values.interval),
                   fmt::format("give at least {:.3g} s", values.duration / most_rows));
@@ -168,6 +189,17 @@ CaseEstimate estimate_orientation(const OrientationCase& values) {
   estimate.wall_seconds = steps * (1e-5 + (distribution ? 1e-6 * coefficients : 0));
   estimate.assumption = "20 steps for each unit of strain";
   return estimate;
+}
+
+Mat3 shear_gradient(ShearGradient direction, double rate) {
+  Mat3 gradient = Mat3::Zero();
+  gradient(0, direction == ShearGradient::y ? 1 : 2) = rate;
+  return gradient;
+}
+
+double fiber_term(const OrientationFiberChoices& fibers) {
+  if (fibers.fiber_term) return *fibers.fiber_term;
+  return *fibers.volume_fraction * particle_number(*fibers.aspect_ratio, *fibers.volume_fraction);
 }
 
 OrientationModel orientation_model(const OrientationCase& values) {

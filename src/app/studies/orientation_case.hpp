@@ -35,13 +35,18 @@ struct OrientationFlowChoices {
   std::vector<std::vector<double>> gradient;  ///< one row of nine numbers, 1/s
   std::vector<std::vector<double>> table;     ///< rows (time s, nine numbers 1/s)
   GradientForm form = GradientForm::steps;
+  double temperature = 523.15;  ///< K, for [melt]
+  double pressure = 0;          ///< Pa, for [melt]
 };
 
 /// Holds [fibers].
 struct OrientationFiberChoices {
   Mat3 orientation = Mat3::Identity() / 3;
-  std::optional<double> aspect_ratio;  ///< not given: slender
-  double potential = 0;                ///< U_0
+  std::optional<double> aspect_ratio;     ///< not given: slender
+  double potential = 0;                   ///< U_0
+  std::optional<double> volume_fraction;  ///< with aspect_ratio gives the fiber term
+  std::optional<double> fiber_term;       ///< phi N_p of the stress (thesis 2.12)
+  std::optional<double> trouton_term;     ///< R of the informed viscosity (2.11); not given: the fiber term
 };
 
 /// Holds [solution].
@@ -55,6 +60,7 @@ struct OrientationSolutionChoices {
 struct OrientationCase {
   LawChoice diffusion = {"", {{"C_I", 0.01}}};  ///< 0.01 is in the middle of what is measured
   LawChoice retardation = {"none", {}};
+  LawChoice melt;  ///< viscosity of the matrix; no name: stress is not computed
   OrientationFlowChoices flow;
   OrientationFiberChoices fibers;
   OrientationSolutionChoices solution;
@@ -62,6 +68,8 @@ struct OrientationCase {
   std::optional<double> interval;  ///< s between rows of series.csv; not given: duration/200
 };
 
+/// Adds the key that says along which direction the velocity of a shear varies; calibration has it too.
+void describe_shear_gradient(KeyTable& table, const std::string& section, ShearGradient& gradient);
 void describe_orientation(KeyTable& table, OrientationCase& values);
 void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_orientation(const OrientationCase& values);
@@ -69,6 +77,12 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 /// Lists the rotary diffusions, and the retardations, of their registry.
 [[nodiscard]] const LawMenu& diffusion_menu();
 [[nodiscard]] const LawMenu& retardation_menu();
+
+/// Tells phi N_p: as given, or of semi-dilute fibers of the given volume fraction and aspect ratio.
+[[nodiscard]] double fiber_term(const OrientationFiberChoices& fibers);
+
+/// Makes the gradient of simple shear along x, 1/s.
+[[nodiscard]] Mat3 shear_gradient(ShearGradient direction, double rate);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] OrientationModel orientation_model(const OrientationCase& values);

@@ -35,10 +35,7 @@ void describe_flow(KeyTable& table, OrientationFlowChoices& flow) {
       {.text = "Stretching along x and shrinking along the shear's gradient, for kind = \"mixed\".",
        .unit = "1/s",
        .range = Range::between(-1e7, 1e7)});
-  table.choice("flow.shear_gradient", flow.shear_gradient,
-               {{ShearGradient::y, "y", "v_x = rate y, as in cells of fibers"},
-                {ShearGradient::z, "z", "v_x = rate z, as across a cavity"}},
-               {.text = "Direction along which the velocity of a shear varies."});
+  describe_shear_gradient(table, "flow", flow.shear_gradient);
   table.rows("flow.gradient", flow.gradient, gradient_columns(),
              {.text = "For kind = \"gradient\": one row of L11, L12, L13, L21, … L33.",
               .example = "[[-0.1, 0, 1, 0, 0.1, 0, 0, 0, 0]]"});
@@ -53,6 +50,14 @@ void describe_flow(KeyTable& table, OrientationFlowChoices& flow) {
                {{GradientForm::steps, "steps", "each row holds until the next"},
                 {GradientForm::ramps, "ramps", "linear between the rows"}},
                {.text = "What happens between the rows of the table."});
+  table.quantity(
+      "flow.temperature", flow.temperature,
+      {.text = "Temperature of the melt, for [melt].", .unit = "K", .range = Range::positive(2000)});
+  table.quantity("flow.pressure", flow.pressure,
+                 {.text = "Pressure in the melt, for [melt].",
+                  .unit = "Pa",
+                  .friendly = "MPa",
+                  .range = Range::between(0, 1e10)});
 }
 
 void describe_fibers(KeyTable& table, OrientationFiberChoices& fibers) {
@@ -67,6 +72,25 @@ void describe_fibers(KeyTable& table, OrientationFiberChoices& fibers) {
                  {.text = "Maier-Saupe potential U0, in units of the rate; 0: none.",
                   .range = Range::between(-10, 10),
                   .source = "Latz, Strautins, Niedziela 2010"});
+  table.quantity(
+      "fibers.volume_fraction", fibers.volume_fraction,
+      {.text = "Volume of the fibers over that of the melt; with the aspect ratio r it gives the fiber "
+               "term phi r²/(3 ln sqrt(pi/phi)) of the stress.",
+       .range = Range::inside(0, 1),
+       .example = "\"13.2 %\"",
+       .source = "Dinh, Armstrong 1984"});
+  table.quantity("fibers.fiber_term", fibers.fiber_term,
+                 {.text = "phi N_p of the stress 2 eta (D + phi N_p A4:D), instead of volume_fraction.",
+                  .range = Range::between(0, 1e6),
+                  .example = "10",
+                  .source = "thesis 2.12"});
+  table.quantity(
+      "fibers.trouton_term", fibers.trouton_term,
+      {.text = "R of the informed-isotropic viscosity eta (1 + R (D:A4:D)/(D:D)); not given: the fiber "
+               "term, with which it dissipates as the stress does.",
+       .range = Range::between(0, 1e6),
+       .example = "10",
+       .source = "thesis 2.11"});
 }
 
 void describe_solution(KeyTable& table, OrientationSolutionChoices& solution) {
@@ -88,6 +112,13 @@ void describe_solution(KeyTable& table, OrientationSolutionChoices& solution) {
 
 }  // namespace
 
+void describe_shear_gradient(KeyTable& table, const std::string& section, ShearGradient& gradient) {
+  table.choice(section + ".shear_gradient", gradient,
+               {{ShearGradient::y, "y", "v_x = rate y, as in cells of fibers"},
+                {ShearGradient::z, "z", "v_x = rate z, as across a cavity"}},
+               {.text = "Direction along which the velocity of a shear varies."});
+}
+
 void describe_orientation(KeyTable& table, OrientationCase& values) {
   describe_law(table, diffusion_menu(),
                {"diffusion", "Rotary diffusion: how fibers disturb each other (docs/theory/orientation.md).",
@@ -97,6 +128,12 @@ void describe_orientation(KeyTable& table, OrientationCase& values) {
       table, retardation_menu(),
       {"retardation", "How much slower the fibers turn than theory says.", "\"rpr\"", Need::optional},
       values.retardation);
+  describe_law(table, viscosity_menu(),
+               {"melt",
+                "Viscosity of the matrix, to compute the stress of the melt with its fibers (docs/theory/"
+                "viscosity.md); leave it out when only the orientation matters.",
+                "\"newtonian\"", Need::optional},
+               values.melt);
   describe_flow(table, values.flow);
   describe_fibers(table, values.fibers);
   describe_solution(table, values.solution);

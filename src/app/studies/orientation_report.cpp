@@ -13,6 +13,8 @@ FactsSection asked(const OrientationCase& values) {
                        law_facts(diffusion_menu(), "Rotary diffusion", values.diffusion)};
   const std::vector<Fact> retardation = law_facts(retardation_menu(), "Retardation", values.retardation);
   section.rows.insert(section.rows.end(), retardation.begin(), retardation.end());
+  const std::vector<Fact> melt = law_facts(viscosity_menu(), "Viscosity of the melt", values.melt);
+  section.rows.insert(section.rows.end(), melt.begin(), melt.end());
   section.rows.push_back({"Closure", values.solution.closure});
   section.rows.push_back({"Shape factor", orientation_model(values).constants.xi});
   section.rows.push_back({"Velocity gradient at the start", gradient_history(values.flow).at(0), "1/s"});
@@ -34,13 +36,21 @@ FactsSection came_out(const OrientationCase& values, const SummaryFile& summary)
     section.rows.push_back(
         {"Error of the closure", summary.number("closure_error"), "", "norm of the difference"});
   }
+  if (!values.melt.name.empty()) {
+    section.rows.push_back(
+        {"Viscosity of the matrix", summary.number("viscosity_Pa_s"), "Pa s", "at the end"});
+    section.rows.push_back(
+        {"Informed-isotropic viscosity", summary.number("effective_viscosity_Pa_s"), "Pa s", "at the end"});
+    section.rows.push_back({"Fiber term", summary.number("fiber_term"), "", "phi N_p"});
+    section.rows.push_back({"Extra stress", summary.tensor("stress_Pa"), "Pa", "at the end"});
+  }
   return section;
 }
 
 LinesSection components_section(const OrientationCase& values, const CsvTable& series) {
   LinesSection section = lines_over_time(
       "components", "Orientation tensor", {"component"}, series,
-      {{"a11", "A_11"}, {"a22", "A_22"}, {"a33", "A_33"}, {"a23", "A_23"}, {"a31", "A_31"}, {"a12", "A_12"}});
+      {{"a11", "A_11"}, {"a22", "A_22"}, {"a33", "A_33"}, {"a12", "A_12"}, {"a13", "A_13"}, {"a23", "A_23"}});
   if (values.solution.distribution == DistributionChoice::no) return section;
   for (const char* name : {"11", "22", "33"})
     section.series.push_back({std::string("A_") + name + " without closure",
@@ -67,6 +77,18 @@ ReportDocument report_orientation(const OrientationCase& values, const ResultFol
                       {{"principal_1", "first"}, {"principal_2", "second"}, {"principal_3", "third"}}));
   document.sections.emplace_back(lines_over_time("stretching", "Share of the flow that stretches fibers",
                                                  {"D:A4:D/D:D"}, series, {{"stretching_share", "share"}}));
+  if (!values.melt.name.empty()) {
+    document.sections.emplace_back(lines_over_time("stress", "Extra stress", {"stress", "Pa"}, series,
+                                                   {{"stress_11_Pa", "tau_11"},
+                                                    {"stress_22_Pa", "tau_22"},
+                                                    {"stress_33_Pa", "tau_33"},
+                                                    {"stress_12_Pa", "tau_12"},
+                                                    {"stress_13_Pa", "tau_13"},
+                                                    {"stress_23_Pa", "tau_23"}}));
+    document.sections.emplace_back(
+        lines_over_time("viscosity", "Viscosity", {"viscosity", "Pa s"}, series,
+                        {{"viscosity_Pa_s", "matrix"}, {"effective_viscosity_Pa_s", "informed isotropic"}}));
+  }
   return document;
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/result_folder.hpp"
 #include "app/run_log.hpp"
+#include "app/studies/orientation_stress.hpp"
 #include "app/summary.hpp"
 #include "base/timer.hpp"
 #include "continuum/anisotropic_stress.hpp"
@@ -20,7 +21,8 @@
 namespace fiberfate {
 namespace {
 
-constexpr std::array component_names = {"11", "22", "33", "23", "31", "12"};
+/// Columns of tables, in the order of the particle level's series.
+constexpr std::array component_names = {"11", "22", "33", "12", "13", "23"};
 
 double rate_of(const Mat3& gradient) {
   const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
@@ -35,6 +37,8 @@ CsvTable empty_series(const OrientationCase& values) {
   series.columns.emplace_back("stretching_share");
   if (values.solution.distribution == DistributionChoice::yes)
     for (const char* name : component_names) series.columns.push_back(std::string("distribution_a") + name);
+  if (!values.melt.name.empty())
+    for (std::string& name : OrientationStress::columns()) series.columns.push_back(std::move(name));
   series.values.resize(series.columns.size());
   return series;
 }
@@ -65,9 +69,8 @@ class DistributionFollower {
   double time_ = 0;
 };
 
-void append_components(std::vector<double>& row, const Mat3& tensor) {
-  const Vec6 components = to_components(tensor);
-  row.insert(row.end(), components.begin(), components.end());
+void append_components(std::vector<double>& row, const Mat3& a) {
+  row.insert(row.end(), {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)});
 }
 
 /// Follows the orientation, appends to the series and returns the integrator at the end.
@@ -78,6 +81,8 @@ OrientationIntegrator follow(const OrientationCase& values, CsvTable& series, Ru
                                    {values.solution.tolerance, values.solution.tolerance});
   std::optional<DistributionFollower> distribution;
   if (values.solution.distribution == DistributionChoice::yes) distribution.emplace(values);
+  std::optional<OrientationStress> stress;
+  if (!values.melt.name.empty()) stress.emplace(values);
   double strain = 0, before = 0;
   Mat3 exact = Mat3::Zero();
   for (const double time : output_times(values)) {
@@ -91,8 +96,10 @@ OrientationIntegrator follow(const OrientationCase& values, CsvTable& series, Ru
     append_components(row, second);
     const Vec3 principal = eigenframe(second).values;
     row.insert(row.end(), principal.begin(), principal.end());
-    row.push_back(stretching_share(0.5 * (gradient + gradient.transpose()), close(second, model.closure)));
+    const Mat6 fourth = close(second, model.closure);
+    row.push_back(stretching_share(0.5 * (gradient + gradient.transpose()), fourth));
     if (distribution) append_components(row, exact = distribution->advance_to(time));
+    if (stress) stress->append(gradient, fourth, row);
     for (std::size_t i = 0; i < row.size(); ++i) series.values[i].push_back(row[i]);
   }
   summary.own.emplace_back("strain", strain);
@@ -100,6 +107,7 @@ OrientationIntegrator follow(const OrientationCase& values, CsvTable& series, Ru
     summary.own.emplace_back("distribution_A2", exact);
     summary.own.emplace_back("closure_error", (integrator.state().second - exact).norm());
   }
+  if (stress) stress->append(summary);
   return integrator;
 }
 
