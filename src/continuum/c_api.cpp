@@ -13,6 +13,7 @@
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_law.hpp"
 #include "continuum/orientation_registry.hpp"
+#include "continuum/phelps_solver.hpp"
 #include "microstructure/closure.hpp"
 
 struct fiberfate_orientation_law {
@@ -21,6 +22,10 @@ struct fiberfate_orientation_law {
 
 struct fiberfate_length_law {
   std::unique_ptr<fiberfate::AttritionLaw> law;
+};
+
+struct fiberfate_breakage_law {
+  fiberfate::PhelpsSolver solver;
 };
 
 namespace {
@@ -87,6 +92,16 @@ OrientationPoints points_of(std::size_t n, const double* orientations, const dou
   }
   for (std::size_t m = 0; m < 9; ++m) points.gradient[m] = gradients + m;
   return points;
+}
+
+/// Points to what an array of conditions holds; a missing array of compressions means 1 everywhere.
+LengthFlows flows_of(std::size_t n, const double* rates, const double* viscosities,
+                     const double* compressions) {
+  require(rates, "shear_rates");
+  require(viscosities, "viscosities");
+  LengthFlows flows = {std::span(rates, n), std::span(viscosities, n)};
+  if (compressions != nullptr) flows.compression = std::span(compressions, n);
+  return flows;
 }
 
 /// Lines the values up with a law's parameters.
@@ -232,5 +247,51 @@ fiberfate_status fiberfate_length_advance(const fiberfate_length_law* law, size_
 }
 
 void fiberfate_length_destroy(fiberfate_length_law* law) {
+  delete law;
+}
+
+fiberfate_status fiberfate_breakage_create(const char* name, const fiberfate_constant* constants,
+                                           size_t constant_count, size_t bins, double largest_length,
+                                           fiberfate_breakage_law** law) {
+  return guarded([&] {
+    require(law, "law");
+    *law = nullptr;
+    require(name, "name");
+    if (constant_count > 0) require(constants, "constants");
+    const AttritionLawEntry& entry = find_attrition_law(name);
+    const auto made = make_attrition_law(name, values_of(entry, std::span(constants, constant_count)));
+    if (made->fragmentation() == nullptr)
+      throw InputError(fmt::format("the law {} follows lengths, not their distribution", name),
+                       "take fiberfate_length_create, or phelps or durin");
+    *law = new fiberfate_breakage_law{PhelpsSolver(*made->fragmentation(), {bins, largest_length})};
+  });
+}
+
+fiberfate_status fiberfate_breakage_rates(const fiberfate_breakage_law* law, size_t n,
+                                          const double* shear_rates, const double* viscosities,
+                                          const double* compressions, double* rates) {
+  return guarded([&] {
+    require(law, "law");
+    if (n == 0) return;
+    require(rates, "rates");
+    law->solver.breakage_rates(flows_of(n, shear_rates, viscosities, compressions),
+                               std::span(rates, n * law->solver.bins().bins));
+  });
+}
+
+fiberfate_status fiberfate_breakage_advance(const fiberfate_breakage_law* law, size_t n,
+                                            const double* shear_rates, const double* viscosities,
+                                            const double* compressions, double duration, double* numbers) {
+  return guarded([&] {
+    require(law, "law");
+    require_finite(duration, "duration");
+    if (n == 0) return;
+    require(numbers, "numbers");
+    law->solver.advance(flows_of(n, shear_rates, viscosities, compressions), duration,
+                        std::span(numbers, n * law->solver.bins().bins));
+  });
+}
+
+void fiberfate_breakage_destroy(fiberfate_breakage_law* law) {
   delete law;
 }

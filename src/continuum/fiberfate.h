@@ -22,9 +22,10 @@ typedef enum fiberfate_status {
   FIBERFATE_FAILED = 3            /* the integration failed, or memory ran out */
 } fiberfate_status;
 
-/* Holds one orientation law, one length law. */
+/* Holds one orientation law, one law of mean lengths, one law of length distributions. */
 typedef struct fiberfate_orientation_law fiberfate_orientation_law;
 typedef struct fiberfate_length_law fiberfate_length_law;
+typedef struct fiberfate_breakage_law fiberfate_breakage_law;
 
 /* Holds one named constant of a law, {"C_I", 0.01}. */
 typedef struct fiberfate_constant {
@@ -79,6 +80,25 @@ fiberfate_status fiberfate_length_advance(const fiberfate_length_law* law, size_
 
 /* Destroys a law; NULL is allowed. */
 void fiberfate_length_destroy(fiberfate_length_law* law);
+
+/* Creates a law of length distributions ("phelps" or "durin") over `bins` bins: bin i = 0 ... bins-1 holds fibers of
+ * length (i + 1) largest_length/bins (m); as above for the rest. */
+fiberfate_status fiberfate_breakage_create(const char* name, const fiberfate_constant* constants, size_t constant_count,
+                                           size_t bins, double largest_length, fiberfate_breakage_law** law);
+
+/* Writes the breakage rate of every bin (1/s) of n points, rates[bin][point], from shear rates (1/s), matrix viscosities
+ * (Pa s) and -2 D:A/rate (NULL: 1 everywhere, the worst direction). */
+fiberfate_status fiberfate_breakage_rates(const fiberfate_breakage_law* law, size_t n, const double* shear_rates,
+                                          const double* viscosities, const double* compressions, double* rates);
+
+/* Advances the numbers of fibers of n points, numbers[bin][point], in place by `duration` seconds of constant flow: exactly
+ * however long it is, with the fiber length kept to round-off. (Explicit steps of dN/dt would be stiff.) */
+fiberfate_status fiberfate_breakage_advance(const fiberfate_breakage_law* law, size_t n, const double* shear_rates,
+                                            const double* viscosities, const double* compressions, double duration,
+                                            double* numbers);
+
+/* Destroys a law; NULL is allowed. */
+void fiberfate_breakage_destroy(fiberfate_breakage_law* law);
 
 #ifdef __cplusplus
 }

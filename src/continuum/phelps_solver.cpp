@@ -240,12 +240,22 @@ void PhelpsSolver::advance(const LengthFlow& flow, double duration, std::span<do
 }
 
 std::vector<double> PhelpsSolver::breakage_rates(const LengthFlow& flow) const {
-  const double coefficient = buckling_coefficient(constants_, flow);
-  std::vector<double> rates(bins_.bins, 0.0);
-  for (std::size_t i = 1; i < bins_.bins; ++i)
-    rates[i] = constants_.breakage_coefficient * flow.rate *
-               breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+  std::vector<double> rates(bins_.bins);
+  breakage_rates({{&flow.rate, 1}, {&flow.viscosity, 1}, {&flow.compression, 1}}, rates);
   return rates;
+}
+
+void PhelpsSolver::breakage_rates(const LengthFlows& flows, std::span<double> rates) const {
+  const std::size_t points = flows.size();
+  assert(rates.size() == points * bins_.bins);
+  for (std::size_t point = 0; point < points; ++point) {
+    const LengthFlow flow = flows[point];
+    const double coefficient = buckling_coefficient(constants_, flow);
+    rates[point] = 0;
+    for (std::size_t i = 1; i < bins_.bins; ++i)
+      rates[i * points + point] = constants_.breakage_coefficient * flow.rate *
+                                  breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+  }
 }
 
 }  // namespace fiberfate

@@ -52,6 +52,8 @@ class PhelpsSolver {
 
   /// Tells the breakage rate P of every bin, 1/s.
   [[nodiscard]] std::vector<double> breakage_rates(const LengthFlow& flow) const;
+  /// Writes the breakage rates of n points, [bin][point] as the numbers, 1/s; nothing is allocated.
+  void breakage_rates(const LengthFlows& flows, std::span<double> rates) const;
 
  private:
   struct Scratch;

@@ -8,6 +8,7 @@
 #include "continuum/fiberfate.h"
 #include "continuum/orientation_law.hpp"
 #include "continuum/orientation_registry.hpp"
+#include "continuum/phelps_solver.hpp"
 #include "microstructure/tensor.hpp"
 
 namespace fiberfate {
@@ -71,6 +72,35 @@ TEST(CApi, ClosesFourthOrderTensors) {
   std::vector<double> fourth(36);
   ASSERT_EQ(fiberfate_close("ibof", 1, state.data(), fourth.data()), FIBERFATE_OK);
   EXPECT_NEAR(fourth[0] + fourth[1] + fourth[2], state[0], 1e-12);
+}
+
+TEST(CApi, BreakageEqualsTheSolversAndKeepsTheLength) {
+  const fiberfate_constant constants[] = {{"C_B", 0.02}, {"zeta", 3}, {"S", 0.25}};
+  fiberfate_breakage_law* law = nullptr;
+  ASSERT_EQ(fiberfate_breakage_create("phelps", constants, 3, 50, 15e-3, &law), FIBERFATE_OK);
+  const std::vector<double> rates = {50, 200, 1000}, viscosities = {300, 200, 80}, shielded = {1, 0.5, 0.2};
+  std::vector<double> numbers(3 * 50, 1.0), breakage(3 * 50);
+  ASSERT_EQ(fiberfate_breakage_rates(law, 3, rates.data(), viscosities.data(), nullptr, breakage.data()),
+            FIBERFATE_OK);
+  ASSERT_EQ(fiberfate_breakage_advance(law, 3, rates.data(), viscosities.data(), shielded.data(), 0.5,
+                                       numbers.data()),
+            FIBERFATE_OK);
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {50, 15e-3});
+  std::vector<double> expected(3 * 50, 1.0);
+  solver.advance({rates, viscosities, shielded}, 0.5, expected);
+  EXPECT_EQ(numbers, expected);
+  double length = 0;
+  for (std::size_t bin = 0; bin < 50; ++bin) {
+    EXPECT_EQ(breakage[3 * bin + 1], solver.breakage_rates({200, 200, 1})[bin]);
+    length += numbers[3 * bin + 2] * static_cast<double>(bin + 1);
+  }
+  EXPECT_NEAR(length, 51 * 25, 1e-9);
+  fiberfate_breakage_destroy(law);
+  EXPECT_EQ(fiberfate_breakage_create("constant", nullptr, 0, 50, 15e-3, &law), FIBERFATE_BAD_INPUT);
+  EXPECT_EQ(fiberfate_breakage_create("phelps", constants, 3, 1, 15e-3, &law), FIBERFATE_BAD_INPUT);
+  EXPECT_EQ(fiberfate_breakage_create("phelps", constants, 3, 50, -1, &law), FIBERFATE_BAD_INPUT);
+  EXPECT_EQ(law, nullptr);
+  fiberfate_breakage_destroy(nullptr);
 }
 
 }  // namespace
