@@ -115,9 +115,10 @@ void OrientationLaw::advance(const OrientationPoints& points, const OrientationS
   });
   if (!arrived)
     throw SimulationFailure(
-        fmt::format("the orientation did not get through {:g} s in {} steps: the velocity "
-                    "gradients are too large for this time step",
-                    step.duration, step.most_steps),
+        fmt::format(
+            "the orientation did not get through {:g} s in {} steps: the velocity "
+            "gradients are too large for this time step, or the closure is unstable there (linear, orp)",
+            step.duration, step.most_steps),
         {});
 }
 
