@@ -70,16 +70,16 @@ void pass_overflow(const ShellMesh& mesh, const FlowSolver& solver, StepFlow& st
 
 }  // namespace
 
-double free_volume_at_front(const ShellMesh& mesh, const FillingState& state, const FlowField& field) {
-  double free = 0;
+double volume_at_front(const ShellMesh& mesh, const FlowField& field) {
+  double volume = 0;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
     if (field.wet[i] != 0) continue;
     const auto neighbours = mesh.neighbours(i);
     const bool reached = std::any_of(neighbours.begin(), neighbours.end(),
                                      [&](const ShellNeighbour& from) { return field.wet[from.node] != 0; });
-    if (reached) free += mesh.volume(i) * (1 - state.filled[i]);
+    if (reached) volume += mesh.volume(i);
   }
-  return free;
+  return volume;
 }
 
 void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowField& field, StepFlow& step,

@@ -9,9 +9,8 @@
 
 namespace fiberfate {
 
-/// Tells the volume that is free in control volumes next to wet ones, m³.
-[[nodiscard]] double free_volume_at_front(const ShellMesh& mesh, const FillingState& state,
-                                          const FlowField& field);
+/// Tells the size of the control volumes next to wet ones, m³: a step that fills more is coarse.
+[[nodiscard]] double volume_at_front(const ShellMesh& mesh, const FlowField& field);
 
 /// Lets the fluxes of `field` act for step.duration. What overflows goes on to empty neighbours in the same
 /// step, in proportion to how their edges conduct; where there are none it is kept as `excess` and becomes a

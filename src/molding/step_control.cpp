@@ -9,8 +9,6 @@
 namespace fiberfate {
 namespace {
 
-/// Share of the free volume at the front that a step fills, unless that would be too short a step.
-constexpr double front_share = 0.8;
 /// Shortest step for the front's sake, over the one aimed at: closing pockets pass on what they cannot hold.
 constexpr double shortest_share = 0.05;
 /// Longest step over the one aimed at, where pressure holds the rate down.
@@ -102,7 +100,7 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
   const FlowProfile& profile = params.process.flow;
   const double aimed = total / params.numerics.steps;
   const double set_rate = profile.at(state.time, fraction);
-  const double at_front = front_share * free_volume_at_front(mesh, state, field);
+  const double at_front = volume_at_front(mesh, field);
   double volume = std::min(aimed, std::max(at_front, shortest_share * aimed));
   double fraction_ahead = std::min(1.0, gates.next_fraction(state));
   if (params.process.switchover_fraction > fraction + missing_share)

@@ -26,7 +26,7 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
                                const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
                                FlowField& field);
 
-/// Tells how long the step is: the aimed volume, at most most of what is free at the front, and not past the
+/// Tells how long the step is: the aimed volume, at most the control volumes at the front, and not past the
 /// next event.
 [[nodiscard]] double step_duration(const FillingParams& params, const ShellMesh& mesh,
                                    const GateControl& gates, const FillingState& state,
