@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "molding/gap_flow.hpp"
-#include "molding/gate_nodes.hpp"
 
 namespace fiberfate {
 namespace {
@@ -25,7 +24,6 @@ constexpr double first_rate = 10;
 FlowSolver::FlowSolver(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers)
     : mesh_(&mesh), params_(&params), layers_(&layers), system_(mesh) {
   edge_weights_.assign(mesh.edges().size(), 0);
-  gate_scale_.assign(mesh.edges().size(), 1);
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       edge_weights_[mesh.edges_of(t)[k]] +=
@@ -36,9 +34,11 @@ FlowSolver::FlowSolver(const ShellMesh& mesh, const FillingParams& params, const
 }
 
 void FlowSolver::set_gates(std::vector<GateLink> open_gates, const std::vector<Gate>& gates) {
-  std::fill(gate_scale_.begin(), gate_scale_.end(), 1.0);
-  for (std::size_t g = 0; g < gates.size(); ++g)
-    if (!gates[g].end) scale_edges_of_round_gate(gates[g], open_gates[g].nodes, *mesh_, gate_scale_);
+  gate_edges_.clear();
+  for (std::size_t g = 0; g < gates.size(); ++g) {
+    const std::vector<GateEdge> leaving = edges_of_round_gate(gates[g], open_gates[g].nodes, *mesh_);
+    gate_edges_.insert(gate_edges_.end(), leaving.begin(), leaving.end());
+  }
   open_gates_ = open_gates;
   system_.set_gates(std::move(open_gates));
 }
@@ -90,7 +90,7 @@ double FlowSolver::update_fluidity(const FillingState& state, std::span<const do
   return *std::max_element(change_.begin(), change_.end());
 }
 
-void FlowSolver::update_conductances(const FlowField& field) {
+void FlowSolver::update_conductances(const FillingState& state, const FlowField& field) {
   conductances_.assign(mesh_->edges().size(), 0);
   for (std::size_t t = 0; t < mesh_->triangle_count(); ++t) {
     double sum = 0;
@@ -106,14 +106,21 @@ void FlowSolver::update_conductances(const FlowField& field) {
     for (std::size_t k = 0; k < 3; ++k)
       conductances_[mesh_->edges_of(t)[k]] += conduction * mesh_->half_cotangents(t)[k];
   }
+  for (std::size_t e = 0; e < conductances_.size(); ++e) {
+    const auto [a, b] = mesh_->edges()[e];
+    conductances_[e] = std::max(conductances_[e], 0.0);
+    if (field.wet[a] != field.wet[b]) conductances_[e] *= field.front_factor[field.wet[a] != 0 ? b : a];
+  }
+  for (const GateEdge& edge : gate_edges_) {
+    conductances_[edge.edge] *= edge.scale;
+    if (field.wet[edge.outside] != 0) continue;
+    conductances_[edge.edge] *=
+        edge.front_factor(state.filled[edge.outside]) / field.front_factor[edge.outside];
+  }
   to_front_.assign(mesh_->node_count(), 0);
   for (std::size_t e = 0; e < conductances_.size(); ++e) {
     const auto [a, b] = mesh_->edges()[e];
-    double& c = conductances_[e];
-    c = std::max(c, 0.0) * gate_scale_[e];
-    if (field.wet[a] == field.wet[b]) continue;
-    c *= field.front_factor[field.wet[a] != 0 ? b : a];
-    to_front_[field.wet[a] != 0 ? a : b] += c;
+    if (field.wet[a] != field.wet[b]) to_front_[field.wet[a] != 0 ? a : b] += conductances_[e];
   }
 }
 
@@ -183,7 +190,7 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
     if (field.wet[i] != 0 && drive.duration > 0) sources_[i] = state.excess[i] / drive.duration;
   update_fluidity(state, stretching, field);
   for (int iteration = 0; iteration < params_->numerics.most_iterations; ++iteration) {
-    update_conductances(field);
+    update_conductances(state, field);
     system_.solve({field.wet, conductances_, to_front_, sources_}, parts_);
     apply_drive(drive, field);
     update_fluxes(state, field);

@@ -8,6 +8,7 @@
 #include "molding/filling_state.hpp"
 #include "molding/flow_field.hpp"
 #include "molding/gap_layers.hpp"
+#include "molding/gate_nodes.hpp"
 #include "molding/pressure_system.hpp"
 
 namespace fiberfate {
@@ -42,7 +43,7 @@ class FlowSolver {
  private:
   void wet_nodes(const FillingState& state, FlowField& field) const;
   double update_fluidity(const FillingState& state, std::span<const double> stretching, FlowField& field);
-  void update_conductances(const FlowField& field);
+  void update_conductances(const FillingState& state, const FlowField& field);
   void apply_drive(const Drive& drive, FlowField& field);
   void update_fluxes(const FillingState& state, FlowField& field) const;
   void update_rates(FillingState& state, FlowField& field) const;
@@ -53,7 +54,7 @@ class FlowSolver {
   PressureSystem system_;
   PressureParts parts_;
   std::vector<GateLink> open_gates_;
-  std::vector<double> gate_scale_;    ///< by edge: what gates make of the conductance
+  std::vector<GateEdge> gate_edges_;  ///< that leave open round gates
   std::vector<double> edge_weights_;  ///< by edge: sum of H³ cot/8 of its triangles, m³
   std::vector<double> conductances_, to_front_, sources_;
   std::vector<double> change_;  ///< by node: relative change of the fluidity

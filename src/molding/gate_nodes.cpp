@@ -65,14 +65,20 @@ std::vector<Index> nodes_of(const Gate& gate, const ShellMesh& mesh) {
   return nodes;
 }
 
-void scale_edges_of_round_gate(const Gate& gate, std::span<const Index> nodes, const ShellMesh& mesh,
-                               std::span<double> scales) {
+double GateEdge::front_factor(double filled) const {
+  // The front is taken to be outside the gate by at least a tenth of the way.
+  const double front = std::max(start + (0.5 + filled) * (end - start), radius + 0.1 * (end - radius));
+  return std::log(end / radius) / std::log(front / radius);
+}
+
+std::vector<GateEdge> edges_of_round_gate(const Gate& gate, std::span<const Index> nodes,
+                                          const ShellMesh& mesh) {
+  if (gate.end) return {};
   const auto inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
   const auto& x = mesh.shell().nodes;
-  const bool coarse = nodes.size() == 1;
-  const Vec3 centre = coarse ? x[nodes.front()] : gate.position;
+  const Vec3 centre = nodes.size() == 1 ? x[nodes.front()] : gate.position;
   double angle = 0, weight = 0;
-  std::vector<Index> leaving;
+  std::vector<GateEdge> leaving;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
     const auto& corner = mesh.shell().triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
@@ -82,16 +88,21 @@ void scale_edges_of_round_gate(const Gate& gate, std::span<const Index> nodes, c
         angle += std::atan2(u.cross(v).norm(), u.dot(v));
       }
       if (inside(a) == inside(b)) continue;
-      const double distance = (x[inside(a) ? b : a] - centre).norm();
-      if (!(distance > gate.radius)) return;  // the mesh has no ring around the gate
+      const Index outside = inside(a) ? b : a, start = inside(a) ? a : b;
+      const double distance = (x[outside] - centre).norm();
+      if (!(distance > gate.radius)) return {};
       weight += mesh.half_cotangents(t)[k] * std::log(distance / gate.radius);
-      leaving.push_back(mesh.edges_of(t)[k]);
+      leaving.push_back({mesh.edges_of(t)[k], outside, 1, (x[start] - centre).norm(), distance, gate.radius});
     }
   }
-  if (!(weight > 0)) return;
-  std::sort(leaving.begin(), leaving.end());
-  leaving.erase(std::unique(leaving.begin(), leaving.end()), leaving.end());
-  for (const Index edge : leaving) scales[edge] *= angle / weight;
+  if (!(weight > 0)) return {};
+  std::sort(leaving.begin(), leaving.end(),
+            [](const GateEdge& a, const GateEdge& b) { return a.edge < b.edge; });
+  leaving.erase(std::unique(leaving.begin(), leaving.end(),
+                            [](const GateEdge& a, const GateEdge& b) { return a.edge == b.edge; }),
+                leaving.end());
+  for (GateEdge& edge : leaving) edge.scale = angle / weight;
+  return leaving;
 }
 
 }  // namespace fiberfate

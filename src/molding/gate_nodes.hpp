@@ -16,10 +16,25 @@ namespace fiberfate {
 /// none.
 [[nodiscard]] std::vector<Index> nodes_of(const Gate& gate, const ShellMesh& mesh);
 
-/// Multiplies the scales of the edges that leave a round gate by a = theta / sum of cot/2 ln(r_j/r), so that
-/// the pressure of the gate's nodes is that at its radius r in the radial field around it: theta is the angle
-/// of the part around the gate, r_j the distances of the nodes around.
-void scale_edges_of_round_gate(const Gate& gate, std::span<const Index> nodes, const ShellMesh& mesh,
-                               std::span<double> scales);
+/// Describes an edge that leaves a round gate.
+struct GateEdge {
+  Index edge = 0;
+  Index outside = 0;  ///< the node that the edge leads to
+  double scale = 1;   ///< what the gate's size makes of the conductance
+  double start = 0;   ///< distance of the edge's node in the gate from the gate's centre, m
+  double end = 0;     ///< of the node outside, m
+  double radius = 0;  ///< of the gate, m
+
+  /// Tells by how much more the edge conducts where the front stands on it, in a control volume that is
+  /// filled to a share: ln(r_end/r)/ln(r_front/r).
+  [[nodiscard]] double front_factor(double filled) const;
+};
+
+/// Finds the edges that leave a round gate, with scale = theta / sum of cot/2 ln(r_j/r), so that the pressure
+/// of the gate's nodes is that at its radius r in the radial field around it: theta is the angle of the part
+/// around the gate, r_j the distances of the nodes around. None for film gates, nor where nodes outside are
+/// nearer than the radius.
+[[nodiscard]] std::vector<GateEdge> edges_of_round_gate(const Gate& gate, std::span<const Index> nodes,
+                                                        const ShellMesh& mesh);
 
 }  // namespace fiberfate

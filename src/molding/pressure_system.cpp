@@ -61,54 +61,56 @@ void PressureSystem::number_unknowns() {
   diagonal_slots_.assign(count, 0);
 }
 
-void PressureSystem::analyse() {
-  number_unknowns();
-  const auto count = static_cast<Index>(diagonal_slots_.size());
-  struct Link {
-    Index edge, gate;
-  };
-  std::vector<std::pair<Index, Index>> pairs;
+std::vector<PressureSystem::Link> PressureSystem::find_links() {
   std::vector<Link> links;
   node_edges_.clear();
   for (std::size_t e = 0; e < mesh_->edges().size(); ++e) {
     const Index a = unknown_of_[mesh_->edges()[e].first], b = unknown_of_[mesh_->edges()[e].second];
     if (a < 0 || b < 0 || a == b) continue;
     node_edges_.push_back(static_cast<Index>(e));
-    pairs.emplace_back(a, b);
-    links.push_back({static_cast<Index>(e), -1});
+    links.push_back({a, b, static_cast<Index>(e), -1});
   }
   for (std::size_t g = 0; g < gates_.size(); ++g)
-    if (gates_[g].resistance > 0) {
-      pairs.emplace_back(gate_unknowns_[g], sprue_);
-      links.push_back({-1, static_cast<Index>(g)});
-    }
+    if (gates_[g].resistance > 0) links.push_back({gate_unknowns_[g], sprue_, -1, static_cast<Index>(g)});
+  return links;
+}
+
+void PressureSystem::order_unknowns(std::vector<Link>& links) {
+  const auto count = static_cast<Index>(diagonal_slots_.size());
   std::vector<Eigen::Triplet<double>> entries;
-  for (const auto& [a, b] : pairs) {
-    entries.emplace_back(a, b, 1.0);
-    entries.emplace_back(b, a, 1.0);
+  for (const Link& link : links) {
+    entries.emplace_back(link.row, link.column, 1.0);
+    entries.emplace_back(link.column, link.row, 1.0);
   }
   for (Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1.0);
-  Matrix full(count, count);
-  full.setFromTriplets(entries.begin(), entries.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> inverse;
-  Eigen::AMDOrdering<int>()(full.selfadjointView<Eigen::Upper>(), inverse);
-  // AMD tells which unknown comes when; we need when each unknown comes.
-  const Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order = inverse.inverse();
+  Matrix pattern(count, count);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+  Permutation elimination;
+  Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Upper>(), elimination);
+  // AMD tells which unknown comes when; wanted is when each unknown comes.
+  const Permutation place = elimination.inverse();
   for (Index& unknown : unknown_of_)
-    if (unknown >= 0) unknown = order.indices()[unknown];
-  for (Index& unknown : gate_unknowns_) unknown = order.indices()[unknown];
-  sprue_ = order.indices()[sprue_];
-  entries.clear();
-  for (auto& [a, b] : pairs) {
-    a = order.indices()[a];
-    b = order.indices()[b];
-    if (a > b) std::swap(a, b);
-    entries.emplace_back(a, b, 1.0);
+    if (unknown >= 0) unknown = place.indices()[unknown];
+  for (Index& unknown : gate_unknowns_) unknown = place.indices()[unknown];
+  sprue_ = place.indices()[sprue_];
+  for (Link& link : links) {
+    const Index a = place.indices()[link.row], b = place.indices()[link.column];
+    link.row = std::min(a, b);
+    link.column = std::max(a, b);
   }
+}
+
+void PressureSystem::analyse() {
+  number_unknowns();
+  std::vector<Link> links = find_links();
+  order_unknowns(links);
+  const auto count = static_cast<Index>(diagonal_slots_.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Link& link : links) entries.emplace_back(link.row, link.column, 1.0);
   for (Index i = 0; i < count; ++i) entries.emplace_back(i, i, 1.0);
   matrix_.resize(count, count);
   matrix_.setFromTriplets(entries.begin(), entries.end());
-  matrix_.makeCompressed();
   const auto slot = [&](Index row, Index column) {
     const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
     const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
@@ -116,10 +118,8 @@ void PressureSystem::analyse() {
   };
   edge_slots_.assign(mesh_->edges().size(), -1);
   gate_slots_.assign(gates_.size(), -1);
-  for (std::size_t l = 0; l < links.size(); ++l) {
-    const Index place = slot(pairs[l].first, pairs[l].second);
-    (links[l].edge >= 0 ? edge_slots_[links[l].edge] : gate_slots_[links[l].gate]) = place;
-  }
+  for (const Link& link : links)
+    (link.edge >= 0 ? edge_slots_[link.edge] : gate_slots_[link.gate]) = slot(link.row, link.column);
   for (Index i = 0; i < count; ++i) diagonal_slots_[i] = slot(i, i);
   factor_.analyzePattern(matrix_);
 }

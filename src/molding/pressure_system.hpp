@@ -47,9 +47,16 @@ class PressureSystem {
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
+  /// Couples two unknowns, for an edge or for a gate (-1 for the other).
+  struct Link {
+    Index row, column;
+    Index edge, gate;
+  };
   [[nodiscard]] bool covers(std::span<const char> wet) const;
   void cover(std::span<const char> wet);
   void number_unknowns();
+  [[nodiscard]] std::vector<Link> find_links();
+  void order_unknowns(std::vector<Link>& links);
   void analyse();
   void assemble(const Network& network);
   void back_substitute(Eigen::VectorXd& right, std::vector<double>& by_node, double& sprue) const;

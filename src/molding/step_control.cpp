@@ -17,11 +17,24 @@ constexpr double longest_share = 2;
 constexpr double least_rate_share = 1e-3;
 /// Share of the cavity that may be missing at the end, for round-off.
 constexpr double missing_share = 1e-12;
+/// Share of the cavity that may be empty at the end where others hold as much too much.
+constexpr double settled_share = 1e-11;
 /// Share of the nodes at front or gates that are frozen where a melt that stands is frozen off.
 constexpr double frozen_share = 0.5;
 
 double fraction_of(const ShellMesh& mesh, const FillingState& state) {
   return state.injected_volume / mesh.total_volume();
+}
+
+/// The volume of the cavity has come in; what some nodes have too much has yet to find the last free places.
+bool settling(const ShellMesh& mesh, const FillingState& state) {
+  return fraction_of(mesh, state) >= 1 - missing_share;
+}
+
+double total_excess(const FillingState& state) {
+  double sum = 0;
+  for (const double volume : state.excess) sum += std::max(volume, 0.0);
+  return sum;
 }
 
 }  // namespace
@@ -32,6 +45,9 @@ Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const Filling
   drive.rate = process.flow.at(state.time, fraction_of(mesh, state));
   drive.pressure = state.control == ControlMode::switchover ? state.held_pressure : process.pressure_limit;
   drive.duration = mesh.total_volume() / params.numerics.steps / drive.rate;
+  if (!settling(mesh, state)) return drive;
+  drive.duration = total_excess(state) / drive.rate;
+  drive.rate = 0;
   return drive;
 }
 
@@ -41,6 +57,7 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
     state.events.push_back({state.time, filled_fraction, kind, -1});
   };
   state.flow_rate = field.rate;
+  if (filled_fraction >= 1 - missing_share) return;  // settling: the machine no longer has a say
   state.sprue_pressure = field.sprue_pressure;
   if (state.control == ControlMode::switchover) return;
   if (field.limited && state.control == ControlMode::flow) {
@@ -98,6 +115,7 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
                      const FillingState& state, const FlowField& field) {
   const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
   const FlowProfile& profile = params.process.flow;
+  if (settling(mesh, state)) return total_excess(state) / profile.at(state.time, fraction);
   const double aimed = total / params.numerics.steps;
   const double set_rate = profile.at(state.time, fraction);
   const double at_front = volume_at_front(mesh, field);
@@ -118,7 +136,7 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
 
 FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
                           const FlowField& field) {
-  if (fraction_of(mesh, state) >= 1 - missing_share) return FillingEnd::filled;
+  if (state.filled_volume >= (1 - settled_share) * mesh.total_volume()) return FillingEnd::filled;
   if (state.time >= params.process.longest_time * (1 - missing_share)) return FillingEnd::time;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   if (!field.limited || state.flow_rate > least_rate_share * set_rate) return FillingEnd::none;

@@ -64,10 +64,10 @@ inline Shell disc(double inner, double outer, double size, double thickness) {
     int a = 0, b = 0;
     while (a < (count[i] > 1 ? count[i] : 0) || b < count[i + 1]) {
       // Of the two triangles that may come next the one with the shorter new side is nearer to Delaunay's.
-      const double grow = b < count[i + 1] ? (shell.nodes[inside(a)] - shell.nodes[outside(b + 1)]).norm() : 1e9;
-      const double turn = count[i] > 1 && a < count[i]
-                              ? (shell.nodes[inside(a + 1)] - shell.nodes[outside(b)]).norm()
-                              : 1e9;
+      const double grow =
+          b < count[i + 1] ? (shell.nodes[inside(a)] - shell.nodes[outside(b + 1)]).norm() : 1e9;
+      const double turn =
+          count[i] > 1 && a < count[i] ? (shell.nodes[inside(a + 1)] - shell.nodes[outside(b)]).norm() : 1e9;
       const bool on_outer = grow <= turn;
       if (on_outer) {
         shell.triangles.push_back({inside(a), outside(b), outside(b + 1)});
