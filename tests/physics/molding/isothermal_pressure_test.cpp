@@ -119,10 +119,10 @@ TEST(IsothermalPressure, DiscConvergesWithFirstOrderOrBetter) {
 
 TEST(IsothermalPressure, GateKeepsItsSizeOnAnyMesh) {
   // The gate holds one node (0.3 of a cell), seven nodes, or less than the mesh resolves. 0.5 % of the
-  // largest pressure is a twentieth of what a change of the gate's radius by half would make.
-  EXPECT_LT(disc_error(0.004, 0.0012, false), 0.005);
-  EXPECT_LT(disc_error(0.003, 0.004, false), 0.005);
-  EXPECT_LT(disc_error(0.004, 0.0001, false), 0.005);
+  // largest pressure is a fiftieth of what a change of the gate's radius by half would make.
+  EXPECT_LT(disc_error(0.004, 0.0012, false), 0.002);
+  EXPECT_LT(disc_error(0.003, 0.004, false), 0.002);
+  EXPECT_LT(disc_error(0.004, 0.0001, false), 0.002);
 }
 
 }  // namespace
