@@ -82,7 +82,7 @@ TEST(Conservation, VolumeTracerAndHeatAreKept) {
     ASSERT_NEAR(heat.brought_in + heat.dissipated - heat.to_mold, filling.stored_heat(),
                 1e-10 * heat.brought_in);
   }
-  EXPECT_EQ(state.stop_reason, StopReason::filled);
+  EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   EXPECT_GT(state.gates[1].volume, 0.1 * whole);
 }
 

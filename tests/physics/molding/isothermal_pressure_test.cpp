@@ -23,7 +23,7 @@ double pressure_error(Filling& filling, const std::function<double(double)>& exa
     largest = std::max(largest, wanted);
     ++count;
   }
-  EXPECT_EQ(filling.state().stop_reason, StopReason::filled);
+  EXPECT_EQ(filling.state().stop_reason, FillingEnd::filled);
   EXPECT_NEAR(filling.state().injected_volume / filling.mesh().total_volume(), 1, 1e-10);
   EXPECT_NEAR(filling.filled_fraction(), 1, 1e-10);
   return std::sqrt(squares / count) / largest;

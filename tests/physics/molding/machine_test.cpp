@@ -52,7 +52,7 @@ TEST(Gates, RunnersShareTheFlow) {
     EXPECT_NEAR(gate.rate * params.gates[g].resistance + gate.pressure, pressure, 1e-9 * pressure);
   }
   EXPECT_NEAR(state.gates[0].rate + state.gates[1].rate, rate, 1e-10 * rate);
-  EXPECT_EQ(finish(filling).state().stop_reason, StopReason::filled);
+  EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::filled);
 }
 
 TEST(Gates, ValveGatesOpenAndCloseWhereTold) {
@@ -66,7 +66,7 @@ TEST(Gates, ValveGatesOpenAndCloseWhereTold) {
   params.gates = {first, second, third};
   Filling filling{ShellMesh(rectangle(r)), params};
   const FillingState& state = finish(filling).state();
-  EXPECT_EQ(state.stop_reason, StopReason::filled);
+  EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   EXPECT_NEAR(find(state, FillingEventKind::gate_closed, 0)->filled_fraction, 0.7, 1e-10);
   const double arrival = state.gates[1].arrival_time;
   // The front reaches the gate's control volumes after half the strip and half a cell.
@@ -107,7 +107,7 @@ TEST(Machine, SwitchoverHoldsThePressureFromTheVolumeOn) {
     EXPECT_NEAR(filling.state().sprue_pressure, held, 1e-9 * held);
     EXPECT_LE(filling.state().flow_rate, rate);
   }
-  EXPECT_EQ(finish(filling).state().stop_reason, StopReason::filled);
+  EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::filled);
 }
 
 /// At constant pressure a strip fills as x² = x_1² + p H² (t - t_1)/(6 eta), which follows from Q = p W
@@ -119,7 +119,7 @@ TEST(Machine, PressureLimitSlowsTheFront) {
   params.process.pressure_limit = limit;
   Filling filling{ShellMesh(rectangle(r)), params};
   const FillingState& state = finish(filling).state();
-  EXPECT_EQ(state.stop_reason, StopReason::filled);
+  EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   const FillingEvent* limited = find(state, FillingEventKind::pressure_limited);
   EXPECT_NEAR(limited->filled_fraction, 0.5, 0.01);
   const double slow = (0.08 * 0.08 - 0.04 * 0.04) * 6 * eta / (limit * r.thickness * r.thickness);
@@ -138,7 +138,7 @@ TEST(Machine, ProfilesSetTheRateAgainstTimeAndVolume) {
   params.process.flow = {{{0, rate}, {1, 3 * rate}}, ProfileAgainst::time, ProfileForm::ramps};
   params.process.longest_time = 0.5;
   Filling by_time{ShellMesh(rectangle(r)), params};
-  EXPECT_EQ(finish(by_time).state().stop_reason, StopReason::time);
+  EXPECT_EQ(finish(by_time).state().stop_reason, FillingEnd::time);
   EXPECT_NEAR(by_time.state().time, 0.5, 1e-12);
   EXPECT_NEAR(by_time.state().injected_volume, 0.75 * rate, 0.005 * rate);
 }
@@ -147,7 +147,7 @@ TEST(Machine, WithoutAnOpenGateTheShotIsShort) {
   Gate gate = film_gate({0, 0, 0}, {0, 0.01, 0});
   gate.closes = {TriggerKind::filled_fraction, 0.4, {}};
   Filling filling{ShellMesh(rectangle(coarse_strip())), strip_params(gate)};
-  EXPECT_EQ(finish(filling).state().stop_reason, StopReason::short_shot);
+  EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::short_shot);
   EXPECT_NEAR(filling.filled_fraction(), 0.4, 1e-10);
   EXPECT_EQ(filling.state().events.back().kind, FillingEventKind::ended);
 }
@@ -171,11 +171,11 @@ TEST(Machine, SlowFlowFreezesOffAndFastFlowFills) {
   r.thickness = 0.001;
   const double volume = r.length * r.width * r.thickness;
   Filling slow{ShellMesh(rectangle(r)), cold_params(volume / 60)};
-  EXPECT_EQ(finish(slow).state().stop_reason, StopReason::frozen);
+  EXPECT_EQ(finish(slow).state().stop_reason, FillingEnd::frozen);
   EXPECT_LT(slow.filled_fraction(), 0.5);
   EXPECT_LT(slow.state().time, 10);
   Filling fast{ShellMesh(rectangle(r)), cold_params(volume / 0.2)};
-  EXPECT_EQ(finish(fast).state().stop_reason, StopReason::filled);
+  EXPECT_EQ(finish(fast).state().stop_reason, FillingEnd::filled);
 }
 
 }  // namespace
