@@ -100,6 +100,8 @@ void append_curves(std::vector<ReportSection>& sections, const CsvTable& series)
   sections.emplace_back(lines_over_time("overlap", "Overlap of fibers in contact", {"overlap", "radii"},
                                         series,
                                         {{"max_overlap_radii", "largest"}, {"mean_overlap_radii", "mean"}}));
+  sections.emplace_back(lines_over_time("dissipation", "Power dissipated by drag", {"power", "W/m3"}, series,
+                                        {{"drag_power_W_per_m3", "fibers"}}));
   sections.emplace_back(lines_over_time("step", "Step size", {"step", "s", AxisScale::logarithmic}, series,
                                         {{"dt_s", "step"}}));
   sections.emplace_back(

@@ -2,7 +2,9 @@
 #include "app/studies/shear_cell_series.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "dynamics/dissipation.hpp"
 #include "fibers/observables.hpp"
 
 namespace fiberfate {
@@ -59,6 +61,13 @@ ContactStatistics measure_contacts(Simulation& simulation) {
   return statistics;
 }
 
+/// Power that drag dissipates in a volume of the cell, W/m³; unknown before the first step has told how
+/// fibers move.
+double drag_power(DragLaw law, const FiberState& state, const Flow& flow) {
+  if (state.step == 0) return std::numeric_limits<double>::quiet_NaN();
+  return drag_dissipation(state, flow, law) / state.cell.volume();
+}
+
 }  // namespace
 
 std::vector<std::string> shear_cell_columns() {
@@ -66,8 +75,9 @@ std::vector<std::string> shear_cell_columns() {
                                     "fibers", "rods",   "L_N_m",      "L_W_m"};
   append_names(names, "");
   append_names(names, "_number");
-  for (const char* name : {"min_radius_m", "near_critical_hinges", "breaks", "contacts", "contacts_per_fiber",
-                           "max_overlap_radii", "mean_overlap_radii", "max_contact_force_N", "dt_s"})
+  for (const char* name :
+       {"min_radius_m", "near_critical_hinges", "breaks", "contacts", "contacts_per_fiber",
+        "max_overlap_radii", "mean_overlap_radii", "max_contact_force_N", "dt_s", "drag_power_W_per_m3"})
     names.emplace_back(name);
   append_names4(names, "");
   append_names4(names, "_number");
@@ -92,10 +102,11 @@ std::vector<double> shear_cell_row(const ShearCellCase& values, const FlowHistor
                              lengths.weight_average};
   append_tensor(row, orientation_tensor(state, Weighting::length));
   append_tensor(row, orientation_tensor(state, Weighting::number));
-  row.insert(row.end(), {minimum_radius(state), static_cast<double>(count_hinges(state, 0, near)),
-                         static_cast<double>(state.breaks), static_cast<double>(contacts.contacts),
-                         contacts.contacts_per_fiber, contacts.max_overlap, contacts.mean_overlap,
-                         contacts.largest_force, state.step_size});
+  row.insert(row.end(),
+             {minimum_radius(state), static_cast<double>(count_hinges(state, 0, near)),
+              static_cast<double>(state.breaks), static_cast<double>(contacts.contacts),
+              contacts.contacts_per_fiber, contacts.max_overlap, contacts.mean_overlap,
+              contacts.largest_force, state.step_size, drag_power(values.dynamics.drag, state, now)});
   append_tensor(row, orientation_tensor4(state, Weighting::length));
   append_tensor(row, orientation_tensor4(state, Weighting::number));
   return row;
