@@ -184,7 +184,10 @@ Filling& Filling::operator=(Filling&&) noexcept = default;
 void Filling::advance() {
   Parts& p = *parts_;
   if (finished()) return;
-  if (p.gates.update(p.state)) p.link_gates();
+  if (p.gates.update(p.state)) {
+    p.state.covered.clear();
+    p.link_gates();
+  }
   if (p.open_gates.empty()) {
     p.state.stop_reason = FillingEnd::short_shot;
   } else {

@@ -81,6 +81,7 @@ struct FillingState {
   std::vector<FillingEvent> events;
   HeatAccount heat;
 
+  std::vector<char> covered;      ///< by node: the pattern of the pressure equation counts with it
   std::vector<double> filled;     ///< by node: share of the control volume that is filled, 0 to 1
   std::vector<double> excess;     ///< by node: volume that has found no room yet, m³
   std::vector<double> fill_time;  ///< by node, s; NaN where melt has not arrived; of half the control volume

@@ -191,7 +191,7 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
   update_fluidity(state, stretching, field);
   for (int iteration = 0; iteration < params_->numerics.most_iterations; ++iteration) {
     update_conductances(state, field);
-    system_.solve({field.wet, conductances_, to_front_, sources_}, parts_);
+    system_.solve({field.wet, conductances_, to_front_, sources_}, state.covered, parts_);
     apply_drive(drive, field);
     update_fluxes(state, field);
     update_rates(state, field);

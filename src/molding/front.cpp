@@ -9,6 +9,8 @@ namespace {
 
 /// Cosine of the angle between two fronts beyond which their meeting is a weld line.
 constexpr double weld_cosine = -0.5;
+/// Filled share from which on a node counts as full for marks: the last ones lack round-off.
+constexpr double as_good_as_full = 1 - 1e-9;
 
 void record_fill_times(const FillingState& state, const std::vector<double>& before, const StepFlow& step,
                        std::vector<double>& fill_time) {
@@ -107,11 +109,11 @@ void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowFi
 
 void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state) {
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-    if (step.at_front[i] == 0 || state.filled[i] < 1) continue;
+    if (step.at_front[i] == 0 || state.filled[i] < as_good_as_full) continue;
     bool enclosed = true;
     const double size = state.inflow[i].norm();
     for (const ShellNeighbour& other : mesh.neighbours(i)) {
-      const bool full = state.filled[other.node] >= 1;
+      const bool full = state.filled[other.node] >= as_good_as_full;
       enclosed = enclosed && full && state.fill_time[other.node] < state.fill_time[i];
       const Vec2& there = state.inflow[other.node];
       const Vec2 turned(other.turn[0] * there[0] - other.turn[1] * there[1],

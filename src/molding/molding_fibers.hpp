@@ -41,6 +41,7 @@ struct FiberCoupling {
   int length_set = -1;
   int length_class = 0;
   double aspect_ratio = 100;
+  double trouton_ratio = 0;  ///< R where it is known (R_T of 2.11); 0 computes it as above
 };
 
 /// Holds all about fibers. Every set follows every class of initial length, all in one filling. Lengths in

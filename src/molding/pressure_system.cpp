@@ -19,17 +19,11 @@ constexpr std::size_t ahead_least = 30;
 
 void PressureSystem::set_gates(std::vector<GateLink> open_gates) {
   gates_ = std::move(open_gates);
-  covered_.assign(mesh_->node_count(), 0);
+  covered_.clear();
 }
 
-bool PressureSystem::covers(std::span<const char> wet) const {
-  for (std::size_t i = 0; i < wet.size(); ++i)
-    if (wet[i] > covered_[i]) return false;
-  return true;
-}
-
-void PressureSystem::cover(std::span<const char> wet) {
-  covered_.assign(wet.begin(), wet.end());
+void PressureSystem::cover(std::span<const char> wet, std::vector<char>& covered) const {
+  covered.assign(wet.begin(), wet.end());
   std::vector<Index> ring, next;
   for (std::size_t i = 0; i < wet.size(); ++i)
     if (wet[i] != 0) ring.push_back(static_cast<Index>(i));
@@ -39,8 +33,8 @@ void PressureSystem::cover(std::span<const char> wet) {
     next.clear();
     for (const Index i : ring)
       for (const ShellNeighbour& neighbour : mesh_->neighbours(i)) {
-        if (covered_[neighbour.node] != 0) continue;
-        covered_[neighbour.node] = 1;
+        if (covered[neighbour.node] != 0) continue;
+        covered[neighbour.node] = 1;
         next.push_back(neighbour.node);
       }
     ahead += next.size();
@@ -158,9 +152,12 @@ void PressureSystem::back_substitute(Eigen::VectorXd& right, std::vector<double>
   sprue = right[sprue_];
 }
 
-void PressureSystem::solve(const Network& network, PressureParts& parts) {
-  if (covered_.empty() || !covers(network.wet)) {
-    cover(network.wet);
+void PressureSystem::solve(const Network& network, std::vector<char>& covered, PressureParts& parts) {
+  bool covers = !covered.empty();
+  for (std::size_t i = 0; i < network.wet.size() && covers; ++i) covers = covered[i] >= network.wet[i];
+  if (!covers) cover(network.wet, covered);
+  if (covered != covered_) {
+    covered_ = covered;
     analyse();
   }
   assemble(network);

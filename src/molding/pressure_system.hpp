@@ -42,8 +42,10 @@ class PressureSystem {
 
   /// Says which gates are open; the next solution analyses the pattern.
   void set_gates(std::vector<GateLink> open_gates);
-  /// Solves; raises SimulationFailure when the network is singular (nothing wet leads to the front).
-  void solve(const Network& network, PressureParts& parts);
+  /// Solves. `covered` are the nodes of the pattern: they are chosen anew when a wet node is not among them
+  /// (or there are none), and part of the state, since round-off depends on them. Raises SimulationFailure
+  /// when the network is singular (nothing wet leads to the front).
+  void solve(const Network& network, std::vector<char>& covered, PressureParts& parts);
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -52,8 +54,7 @@ class PressureSystem {
     Index row, column;
     Index edge, gate;
   };
-  [[nodiscard]] bool covers(std::span<const char> wet) const;
-  void cover(std::span<const char> wet);
+  void cover(std::span<const char> wet, std::vector<char>& covered) const;
   void number_unknowns();
   [[nodiscard]] std::vector<Link> find_links();
   void order_unknowns(std::vector<Link>& links);
@@ -63,7 +64,7 @@ class PressureSystem {
 
   const ShellMesh* mesh_;
   std::vector<GateLink> gates_;
-  std::vector<char> covered_;
+  std::vector<char> covered_;         ///< what the present pattern covers; empty when it must be analysed
   std::vector<Index> unknown_of_;     ///< by node; -1 where not covered
   std::vector<Index> gate_unknowns_;  ///< by gate
   Index sprue_ = 0;

@@ -131,14 +131,26 @@ void ShellMesh::link_neighbours() {
   for (std::size_t i = 0; i < node_count(); ++i) neighbour_begin_[i + 1] += neighbour_begin_[i];
   neighbours_.resize(neighbour_begin_.back());
   std::vector<std::size_t> next(neighbour_begin_.begin(), neighbour_begin_.end() - 1);
-  const auto in_frame = [&](Index node, const Vec3& along) {
+  std::vector<Vec3> normals(edges_.size(), Vec3::Zero());
+  for (std::size_t t = 0; t < triangle_count(); ++t) {
+    const auto& corner = shell_.triangles[t];
+    const Vec3& x = shell_.nodes[at(corner[0])];
+    const Vec3 normal = (shell_.nodes[at(corner[1])] - x).cross(shell_.nodes[at(corner[2])] - x).normalized();
+    for (const Index edge : triangle_edges_[t])
+      normals[at(edge)] += normals[at(edge)].dot(normal) < 0 ? Vec3(-normal) : normal;
+  }
+  // The surface around an edge is turned into the tangent plane of its node, which unfolds bends.
+  const auto in_frame = [&](Index node, const Vec3& along, const Vec3& normal) {
     const Mat3& frame = frames_[at(node)];
-    return Vec2(frame.col(0).dot(along), frame.col(1).dot(along)).normalized();
+    const Vec3 up = frame.col(2);
+    const Vec3 flat =
+        Eigen::Quaterniond::FromTwoVectors(normal.dot(up) < 0 ? Vec3(-normal) : normal, up) * along;
+    return Vec2(frame.col(0).dot(flat), frame.col(1).dot(flat)).normalized();
   };
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const auto [a, b] = edges_[e];
     const Vec3 along = shell_.nodes[at(b)] - shell_.nodes[at(a)];
-    const Vec2 at_a = in_frame(a, along), at_b = in_frame(b, along);
+    const Vec2 at_a = in_frame(a, along, normals[e]), at_b = in_frame(b, along, normals[e]);
     // A vector keeps its angle to the edge: from b's frame to a's it turns by angle(a) - angle(b).
     const Vec2 turn(at_a.dot(at_b), at_b[0] * at_a[1] - at_b[1] * at_a[0]);
     const auto edge = static_cast<Index>(e);

@@ -37,6 +37,26 @@ double total_excess(const FillingState& state) {
   return sum;
 }
 
+/// Tells how long a step of at most `volume` at `rate` is: at most the aimed one, and not past an event.
+double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                     const FillingState& state, double volume, double rate) {
+  const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
+  const FlowProfile& profile = params.process.flow;
+  const double aimed = total / params.numerics.steps;
+  double fraction_ahead = std::min(1.0, gates.next_fraction(state));
+  if (params.process.switchover_fraction > fraction + missing_share)
+    fraction_ahead = std::min(fraction_ahead, params.process.switchover_fraction);
+  double time_ahead = std::min(gates.next_time(state), params.process.longest_time);
+  if (profile.against == ProfileAgainst::time)
+    time_ahead = std::min(time_ahead, profile.next_row(state.time * (1 + missing_share)));
+  else
+    fraction_ahead = std::min(fraction_ahead, profile.next_row(fraction + missing_share));
+  volume = std::min({volume, aimed, fraction_ahead * total - state.injected_volume});
+  double duration = longest_share * aimed / profile.at(state.time, fraction);
+  if (rate > 0) duration = std::min(duration, volume / rate);
+  return std::min(duration, time_ahead - state.time);
+}
+
 }  // namespace
 
 Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state) {
@@ -92,8 +112,9 @@ bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateC
   field.front_factor.resize(n, 2);
   field.edge_flux.assign(mesh.edges().size(), 0);
   field.wet.resize(n, 0);
-  state.flow_rate = drive_of(params, mesh, state).rate;
-  step.duration = missing / state.flow_rate;
+  state.flow_rate = field.rate = params.process.flow.at(state.time, fraction_of(mesh, state));
+  step.duration = cut_at_events(params, mesh, gates, state, missing, state.flow_rate);
+  const double share = std::min(1.0, step.duration * state.flow_rate / missing);
   step.content.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
@@ -103,35 +124,23 @@ bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateC
   for (const std::size_t g : open)
     for (const Index node : gates.nodes(g)) {
       if (state.filled[node] >= 1) continue;
-      step.gate_volume[node] = mesh.volume(node) * (1 - state.filled[node]);
-      step.new_content[node] = mesh.volume(node);
-      if (state.filled[node] < 0.5) state.fill_time[node] = state.time + step.duration / 2;
-      state.filled[node] = 1;
+      step.gate_volume[node] = share * mesh.volume(node) * (1 - state.filled[node]);
+      step.new_content[node] += step.gate_volume[node];
+      const double before = state.filled[node];
+      state.filled[node] = share < 1 ? step.new_content[node] / mesh.volume(node) : 1;
+      if (before < 0.5 && state.filled[node] >= 0.5)
+        state.fill_time[node] = state.time + step.duration * (0.5 - before) / (state.filled[node] - before);
     }
   return true;
 }
 
 double step_duration(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
                      const FillingState& state, const FlowField& field) {
-  const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
-  const FlowProfile& profile = params.process.flow;
-  if (settling(mesh, state)) return total_excess(state) / profile.at(state.time, fraction);
-  const double aimed = total / params.numerics.steps;
-  const double set_rate = profile.at(state.time, fraction);
-  const double at_front = volume_at_front(mesh, field);
-  double volume = std::min(aimed, std::max(at_front, shortest_share * aimed));
-  double fraction_ahead = std::min(1.0, gates.next_fraction(state));
-  if (params.process.switchover_fraction > fraction + missing_share)
-    fraction_ahead = std::min(fraction_ahead, params.process.switchover_fraction);
-  double time_ahead = std::min(gates.next_time(state), params.process.longest_time);
-  if (profile.against == ProfileAgainst::time)
-    time_ahead = std::min(time_ahead, profile.next_row(state.time * (1 + missing_share)));
-  else
-    fraction_ahead = std::min(fraction_ahead, profile.next_row(fraction + missing_share));
-  volume = std::min(volume, fraction_ahead * total - state.injected_volume);
-  double duration = longest_share * aimed / set_rate;
-  if (field.rate > 0) duration = std::min(duration, volume / field.rate);
-  return std::min(duration, time_ahead - state.time);
+  if (settling(mesh, state))
+    return total_excess(state) / params.process.flow.at(state.time, fraction_of(mesh, state));
+  const double aimed = mesh.total_volume() / params.numerics.steps;
+  const double volume = std::max(volume_at_front(mesh, field), shortest_share * aimed);
+  return cut_at_events(params, mesh, gates, state, volume, field.rate);
 }
 
 FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,

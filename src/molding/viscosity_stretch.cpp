@@ -10,6 +10,9 @@
 namespace fiberfate {
 namespace {
 
+/// Shorter fibers than this are grains, for which the particle number is not defined.
+constexpr double least_aspect_ratio = 1.001;
+
 /// (D:A4:D)/(D:D) for shear across the gap along a direction of the surface.
 double share_of_stretching(const FillingState& state, std::size_t point, const Vec2& direction,
                            Closure closure) {
@@ -29,6 +32,7 @@ void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const
   const FiberCoupling& coupling = *params.fibers.coupling;
   const std::size_t count = layers.count(), n = mesh.node_count();
   const std::size_t fields = state.lengths.size() / (n * count);
+  const std::size_t place = length_field < 0 ? 0 : static_cast<std::size_t>(length_field);
   const Closure closure = params.fibers.orientation->closure;
   stretching.assign(n * count, 1);
   parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
@@ -38,12 +42,14 @@ void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const
     if (!(gradient.norm() > 0)) return;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t point = node * count + k;
-      double ratio = coupling.aspect_ratio;
-      if (length_field >= 0)
-        ratio = state.lengths[point * fields + static_cast<std::size_t>(length_field)] / coupling.diameter;
-      const double fiber_term =
-          coupling.volume_fraction * particle_number(std::max(ratio, 1.001), coupling.volume_fraction);
-      stretching[point] = 1 + fiber_term * share_of_stretching(state, point, gradient.normalized(), closure);
+      double term = coupling.trouton_ratio;
+      if (term == 0) {
+        const double ratio = length_field < 0 ? coupling.aspect_ratio
+                                              : state.lengths[point * fields + place] / coupling.diameter;
+        term = coupling.volume_fraction *
+               particle_number(std::max(ratio, least_aspect_ratio), coupling.volume_fraction);
+      }
+      stretching[point] = 1 + term * share_of_stretching(state, point, gradient.normalized(), closure);
     }
   });
 }

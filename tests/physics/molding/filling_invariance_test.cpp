@@ -1,0 +1,131 @@
+// Checks that threads and interruptions change nothing, and that coupling does what it should.
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "continuum/length_registry.hpp"
+#include "continuum/orientation_registry.hpp"
+#include "test_shells.hpp"
+
+namespace fiberfate {
+namespace {
+
+using namespace test;
+
+/// A plaque with everything on: heat, orientation, lengths, coupling, a valve gate, switchover.
+FillingParams full_params() {
+  FillingParams params =
+      isothermal(2e-5, viscosity("cross_wlf", {25000, 0.3, 4e12, 263.15, 0, 26.5, 51.6}), {});
+  params.material = {params.material.viscosity, 1000, 2300, 0.2, 273.15 + 135};
+  params.process.inlet_temperature = 273.15 + 250;
+  params.process.mold_temperature = 273.15 + 50;
+  params.process.switchover_fraction = 0.98;
+  params.numerics.heat = HeatModel::full;
+  params.numerics.layers = 8;
+  params.numerics.steps = 60;
+  Gate second;
+  second.position = Vec3(0.08, 0.02, 0);
+  second.opens = {TriggerKind::arrival, 0.01, {}};
+  params.gates = {{}, second};
+  params.gates[0].position = Vec3(0.02, 0.02, 0);
+  OrientationModel model = orientation_model_named("iard_rpr", "ibof");
+  model.constants.c_i = 0.0165;
+  model.constants.c_m = 0.999;
+  model.constants.alpha = 0.965;
+  params.fibers.orientation = model;
+  const double values[] = {0.05, 0.01, 2e9, 19e-6};
+  params.fibers.length_sets = {{"xi", make_attrition_law("unbreakable_length", values)}};
+  params.fibers.class_lengths = {0.0006};
+  params.fibers.coupling = FiberCoupling{0.15, 19e-6, 0, 0, 0, 0};
+  return params;
+}
+
+Shell plaque() {
+  return rectangle({0.1, 0.04, 0.002, 25, 10});
+}
+
+void expect_same(const FillingState& a, const FillingState& b) {
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.steps, b.steps);
+  EXPECT_EQ(a.sprue_pressure, b.sprue_pressure);
+  EXPECT_EQ(a.filled, b.filled);
+  EXPECT_EQ(a.pressure, b.pressure);
+  EXPECT_EQ(a.temperature, b.temperature);
+  EXPECT_EQ(a.rate, b.rate);
+  EXPECT_EQ(a.lengths, b.lengths);
+  for (std::size_t m = 0; m < 6; ++m) EXPECT_EQ(a.orientation[m], b.orientation[m]);
+}
+
+TEST(FillingInvariance, ThreadsGiveTheSameBits) {
+  const int before = thread_count();
+  Filling one{ShellMesh(plaque()), full_params()}, three{ShellMesh(plaque()), full_params()};
+  while (!one.finished()) {
+    use_threads(1);
+    one.advance();
+    use_threads(3);
+    three.advance();
+  }
+  use_threads(before);
+  expect_same(one.state(), three.state());
+  EXPECT_EQ(one.state().stop_reason, FillingEnd::filled);
+}
+
+TEST(FillingInvariance, AResumedFillingContinuesBitwise) {
+  Filling whole{ShellMesh(plaque()), full_params()}, first{ShellMesh(plaque()), full_params()};
+  while (!whole.finished()) whole.advance();
+  for (int step = 0; step < 35; ++step) first.advance();
+  Filling second{ShellMesh(plaque()), full_params(), first.state()};
+  while (!second.finished()) second.advance();
+  expect_same(whole.state(), second.state());
+  EXPECT_LT(whole.state().sprue_pressure, 200e6);
+}
+
+TEST(FillingInvariance, AForeignStateIsRefused) {
+  Filling filling{ShellMesh(plaque()), full_params()};
+  FillingParams other = full_params();
+  other.numerics.layers = 10;
+  EXPECT_THROW(Filling(ShellMesh(plaque()), other, filling.state()), InputError);
+}
+
+/// Fibers raise the viscosity in shear by 1 + R (D:A4:D)/(D:D): with isotropic fibers, 2/15 of the squared
+/// rate of strain, so an orientation that stays isotropic multiplies all pressures by 1 + 2 phi N_p/15.
+TEST(FiberCouplingInFlow, IsotropicFibersMultiplyThePressure) {
+  const Rectangle r{0.08, 0.01, 0.002, 20, 2};
+  FillingParams params = isothermal(1e-6, viscosity("newtonian", {100}), film_gate({0, 0, 0}, {0, 0.01, 0}));
+  OrientationModel model = orientation_model_named("folgar_tucker", "linear");  // exact for isotropic states
+  model.constants.c_i = 1;
+  model.constants.xi = 0;
+  params.fibers.orientation = model;
+  Filling plain{ShellMesh(rectangle(r)), params};
+  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100, 0};
+  Filling coupled{ShellMesh(rectangle(r)), params};
+  while (plain.filled_fraction() < 0.8) {
+    plain.advance();
+    coupled.advance();
+  }
+  const double particles = 100.0 * 100 / (3 * 0.5 * std::log(std::numbers::pi / 0.1));
+  // The nodes next to the front follow a step later.
+  EXPECT_NEAR(coupled.state().sprue_pressure / plain.state().sprue_pressure, 1 + 0.1 * particles * 2 / 15,
+              0.05 * 0.1 * particles * 2 / 15);
+}
+
+/// Aligned fibers in shear along them are not stretched: pressure falls from isotropic towards plain melt.
+TEST(FiberCouplingInFlow, AlignmentLowersThePressure) {
+  const Rectangle r{0.08, 0.01, 0.002, 20, 2};
+  FillingParams params = isothermal(1e-6, viscosity("newtonian", {100}), film_gate({0, 0, 0}, {0, 0.01, 0}));
+  OrientationModel model = orientation_model_named("folgar_tucker", "ibof");
+  model.constants.c_i = 0.003;
+  params.fibers.orientation = model;
+  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100, 0};
+  Filling random{ShellMesh(rectangle(r)), params};
+  params.fibers.inlet.orientation = Vec3(0.98, 0.01, 0.01).asDiagonal();
+  Filling aligned{ShellMesh(rectangle(r)), params};
+  while (random.filled_fraction() < 0.5) {
+    random.advance();
+    aligned.advance();
+  }
+  EXPECT_LT(aligned.state().sprue_pressure, random.state().sprue_pressure);
+}
+
+}  // namespace
+}  // namespace fiberfate
