@@ -1,0 +1,122 @@
+// Tests the checks of filling parameters, profiles and gates.
+#include "molding/filling_params.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "continuum/length_registry.hpp"
+#include "molding/gate_nodes.hpp"
+
+namespace fiberfate {
+namespace {
+
+ShellMesh square() {
+  return ShellMesh(
+      {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0.002, 0.002}, {}, {}});
+}
+
+FillingParams sound() {
+  FillingParams params;
+  const double values[] = {100};
+  params.material.viscosity = make_viscosity_law("newtonian", values);
+  params.process.flow = FlowProfile::constant(1e-6);
+  params.gates = {{}};
+  return params;
+}
+
+std::string complaint(const FillingParams& params) {
+  try {
+    check_params(params, square());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FillingParamsChecks, SoundParametersPass) {
+  EXPECT_EQ(complaint(sound()), "");
+}
+
+TEST(FillingParamsChecks, FaultsAreListedTogether) {
+  FillingParams params = sound();
+  params.material.density = -1;
+  params.gates[0].position = {0.5, 0.5, 0.1};
+  params.numerics.layers = 7;
+  EXPECT_EQ(
+      complaint(params),
+      "material.density = -1: it is not positive: give a number above zero\n"
+      "gate gate.position = 0.1: so many metres lie between the gate and the part: move the gate onto the "
+      "middle surface of the part\n"
+      "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 64");
+}
+
+TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
+  FillingParams params = sound();
+  params.gates[0].opens = {TriggerKind::time, 1, {}};
+  EXPECT_NE(complaint(params).find("none is open at the start"), std::string::npos);
+  params.gates.clear();
+  EXPECT_NE(complaint(params).find("place at least one gate"), std::string::npos);
+  params = sound();
+  params.material.no_flow_temperature = 600;
+  EXPECT_NE(complaint(params).find("stands still"), std::string::npos);
+  params = sound();
+  params.process.flow.rows.clear();
+  EXPECT_NE(complaint(params).find("give at least one flow rate"), std::string::npos);
+  params.process.flow = {{{0, 1e-6}, {0, 2e-6}}};
+  EXPECT_NE(complaint(params).find("do not rise"), std::string::npos);
+}
+
+TEST(FillingParamsChecks, FibersMustFitTheirClasses) {
+  FillingParams params = sound();
+  const double values[] = {1, 0.01, 2e9, 19e-6};
+  params.fibers.length_sets = {{"a", make_attrition_law("unbreakable_length", values)}};
+  EXPECT_NE(complaint(params).find("at least one initial length"), std::string::npos);
+  params.fibers.class_lengths = {0.01, 0.02};
+  EXPECT_EQ(complaint(params), "");
+  params.fibers.inlet.lengths = {0.01};
+  EXPECT_NE(complaint(params).find("1 lengths for 2 classes"), std::string::npos);
+  params = sound();
+  params.fibers.inlet.orientation = Vec3(1.2, -0.1, -0.1).asDiagonal();
+  EXPECT_NE(complaint(params).find("fibers.inlet.orientation"), std::string::npos);
+  params = sound();
+  params.fibers.coupling = FiberCoupling{};
+  EXPECT_NE(complaint(params).find("needs the orientation"), std::string::npos);
+  params = sound();
+  const double phelps[] = {0.01, 3, 0.25, 73e9, 19e-6, 0};
+  params.fibers.length_sets = {{"p", make_attrition_law("phelps", phelps)}};
+  params.fibers.class_lengths = {0.01};
+  EXPECT_NE(complaint(params).find("needs a length distribution"), std::string::npos);
+}
+
+TEST(FlowProfile, HoldsOrRampsBetweenRows) {
+  FlowProfile profile{{{0, 1}, {2, 3}}, ProfileAgainst::time, ProfileForm::steps};
+  EXPECT_EQ(profile.at(1.9, 0), 1);
+  EXPECT_EQ(profile.at(2, 0), 3);
+  EXPECT_EQ(profile.at(9, 0), 3);
+  EXPECT_EQ(profile.next_row(0), 2);
+  EXPECT_TRUE(std::isinf(profile.next_row(2)));
+  profile.form = ProfileForm::ramps;
+  EXPECT_NEAR(profile.at(1, 0), 2, 1e-15);
+  profile.against = ProfileAgainst::filled_fraction;
+  EXPECT_NEAR(profile.at(1, 0.5), 1.5, 1e-15);
+  EXPECT_NEAR(flow_of_ram(profile, 2).rows[1].rate, 3 * std::numbers::pi, 1e-14);
+}
+
+TEST(GateNodes, AreThoseWithinTheRadiusOrTheNearest) {
+  const ShellMesh mesh = square();
+  Gate gate;
+  gate.position = {0.9, 0.1, 0};
+  EXPECT_EQ(nodes_of(gate, mesh), (std::vector<Index>{1}));
+  gate.position = {0, 0, 0};
+  gate.end = Vec3(0, 1, 0);
+  EXPECT_EQ(nodes_of(gate, mesh), (std::vector<Index>{0, 3}));
+  EXPECT_NEAR(distance_from_part(gate, mesh), 0, 1e-15);
+  gate.end = Vec3(0, 1, 0.25);
+  EXPECT_NEAR(distance_from_part(gate, mesh), 0.25, 1e-15);
+}
+
+}  // namespace
+}  // namespace fiberfate

@@ -1,0 +1,141 @@
+// Tests the checks of shells and what meshes tell of them.
+#include "molding/shell_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "base/error.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// A unit square of two triangles, 2 mm thick.
+Shell square() {
+  return {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0.002, 0.002}, {}, {}};
+}
+
+std::string complaint(const Shell& shell) {
+  try {
+    check_shell(shell);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ShellChecks, ASoundShellPasses) {
+  EXPECT_EQ(complaint(square()), "");
+}
+
+TEST(ShellChecks, FaultsNameTheTriangleAndTheRemedy) {
+  Shell shell = square();
+  shell.thickness[1] = 0;
+  EXPECT_EQ(
+      complaint(shell),
+      "triangle 1 at (0.333333, 0.666667, 0) m has a thickness of 0 m: give a thickness above zero to its "
+      "region or element");
+  shell = square();
+  shell.triangles[1] = {0, 3, 2};
+  EXPECT_EQ(complaint(shell),
+            "triangles 0 and 1 at (0.5, 0.5, 0) m are turned opposite ways: orient the surface: reverse the "
+            "nodes of one of them");
+  shell = square();
+  shell.nodes[3] = {0.5, 0.5, 0};
+  EXPECT_NE(complaint(shell).find("triangle 1"), std::string::npos);
+  EXPECT_NE(complaint(shell).find("degenerate"), std::string::npos);
+  shell = square();
+  shell.nodes.push_back({5, 0, 0});
+  EXPECT_EQ(complaint(shell), "node 4 at (5, 0, 0) m belongs to no triangle: remove it");
+  shell = square();
+  shell.triangles[1][2] = 9;
+  EXPECT_NE(complaint(shell).find("triangle 1 names node 9 of 4"), std::string::npos);
+  shell = square();
+  shell.thickness.pop_back();
+  EXPECT_NE(complaint(shell).find("2 triangles and 1 thicknesses"), std::string::npos);
+}
+
+TEST(ShellChecks, PiecesMustHangTogether) {
+  Shell shell = square();
+  for (const double x : {3.0, 4.0}) shell.nodes.push_back({x, 0, 0});
+  shell.nodes.push_back({3, 1, 0});
+  shell.triangles.push_back({4, 5, 6});
+  shell.thickness.push_back(0.002);
+  EXPECT_NE(complaint(shell).find("hangs on nothing"), std::string::npos);
+}
+
+TEST(ShellChecks, JunctionsAreRefusedUnlessAllowed) {
+  Shell shell = square();
+  shell.nodes.push_back({0.5, 0.5, 1});
+  shell.triangles.push_back({0, 2, 4});
+  shell.thickness.push_back(0.002);
+  EXPECT_NE(complaint(shell).find("belongs to 3 triangles"), std::string::npos);
+  shell.junctions = Junctions::allowed;
+  EXPECT_EQ(complaint(shell), "");
+  EXPECT_NO_THROW(ShellMesh{shell});
+}
+
+TEST(ShellChecks, ManyFaultsAreSummedUp) {
+  Shell shell = square();
+  for (int i = 0; i < 8; ++i) shell.nodes.push_back({2.0 + i, 0, 0});
+  EXPECT_NE(complaint(shell).find("3 more of: unused nodes"), std::string::npos);
+}
+
+TEST(ShellMesh, ControlVolumesFillThePart) {
+  const ShellMesh mesh(square());
+  EXPECT_NEAR(mesh.total_area(), 1, 1e-15);
+  EXPECT_NEAR(mesh.total_volume(), 0.002, 1e-17);
+  // Voronoi cells of a square's corners are its quarters, whichever way the diagonal runs.
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(mesh.area(i), 0.25, 1e-15);
+    EXPECT_NEAR(mesh.thickness(i), 0.002, 1e-17);
+    EXPECT_NEAR(mesh.angle(i), std::numbers::pi / 2, 1e-14);
+    EXPECT_TRUE(mesh.on_boundary(i));
+  }
+  EXPECT_EQ(mesh.edges().size(), 5u);
+}
+
+TEST(ShellMesh, ObtuseTrianglesGiveHalfToTheirObtuseCorner) {
+  Shell shell = {{{0, 0, 0}, {4, 0, 0}, {2, 0.5, 0}}, {{0, 1, 2}}, {1}, {}, {}};
+  const ShellMesh mesh(shell);
+  EXPECT_NEAR(mesh.area(2), 0.5, 1e-15);
+  EXPECT_NEAR(mesh.area(0), 0.25, 1e-15);
+}
+
+TEST(ShellMesh, VectorsKeepTheirAngleToTheEdgeAroundABend) {
+  // Two squares at a right angle along the edge x = 1.
+  Shell shell = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}},
+                 {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}},
+                 {1, 1, 1, 1},
+                 {},
+                 {}};
+  const ShellMesh mesh(shell);
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    EXPECT_NEAR((mesh.frame(i).transpose() * mesh.frame(i) - Mat3::Identity()).norm(), 0, 1e-14);
+    for (const ShellNeighbour& to : mesh.neighbours(i)) {
+      EXPECT_NEAR(to.direction.norm(), 1, 1e-14);
+      // The way back turns back.
+      for (const ShellNeighbour& back : mesh.neighbours(static_cast<std::size_t>(to.node))) {
+        if (back.node != static_cast<Index>(i)) continue;
+        EXPECT_NEAR(back.turn[0], to.turn[0], 1e-14);
+        EXPECT_NEAR(back.turn[1], -to.turn[1], 1e-14);
+      }
+    }
+  }
+  // The diagonal of the flat square leaves its corner at 45 degrees, and meets the bend at 45 degrees:
+  // unfolded.
+  const auto diagonal = [&](std::size_t from, Index to) {
+    for (const ShellNeighbour& n : mesh.neighbours(from))
+      if (n.node == to) return n.direction;
+    return Vec2(0, 0);
+  };
+  EXPECT_NEAR(std::abs(diagonal(0, 2)[0]), std::sqrt(0.5), 1e-14);
+  EXPECT_NEAR(std::abs(diagonal(2, 0)[1]), std::sqrt(0.5), 1e-14);
+}
+
+TEST(ShellMesh, FindsTheNearestNode) {
+  EXPECT_EQ(ShellMesh(square()).nearest_node({0.9, 0.8, 0.3}), 2u);
+}
+
+}  // namespace
+}  // namespace fiberfate
