@@ -16,6 +16,7 @@ namespace {
 constexpr int most_doublings = 24;
 constexpr int most_bisections = 40;
 constexpr double end_tolerance = 1e-4;
+constexpr int drawn_points = 6;  // on each side of the best fit
 
 class ProfileWalk {
  public:
@@ -49,8 +50,7 @@ class ProfileWalk {
 
   /// Walks from the best fit until the profile passes the limit, and returns where it does.
   double end(double first_step, double bound) {
-    others_ = best_;
-    others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(coordinate_));
+    begin_at_best();
     const double start = best_[coordinate_];
     double inside = start, step = first_step;
     for (int i = 0; i < most_doublings; ++i, step *= 1.6) {
@@ -62,9 +62,22 @@ class ProfileWalk {
     return step > 0 ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
   }
 
+  /// Computes points between the best fit and an end, so that the profile can be drawn as a curve.
+  void fill(double end) {
+    if (!std::isfinite(end)) return;
+    begin_at_best();
+    const double start = best_[coordinate_];
+    for (int i = 0; i < drawn_points; ++i) at(std::lerp(start, end, static_cast<double>(i) / drawn_points));
+  }
+
   [[nodiscard]] const std::map<double, double>& chi_squares() const { return chi_squares_; }
 
  private:
+  void begin_at_best() {
+    others_ = best_;
+    others_.erase(others_.begin() + static_cast<std::ptrdiff_t>(coordinate_));
+  }
+
   double crossing(double inside, double outside, double width) {
     // Where the fit is exact, chi^2 is round-off and the bracket cannot shrink below that of its ends.
     for (int i = 0; i < most_bisections && std::abs(outside - inside) > end_tolerance * width; ++i) {
@@ -122,6 +135,8 @@ Profile profile(const FitProblem& problem, const FitResult& fit, std::size_t par
   const double lower = walk.end(-step, coordinates.lower()[i]);
   const double upper = walk.end(step, coordinates.upper()[i]);
   result.interval = {coordinates.to_value(i, lower), coordinates.to_value(i, upper)};
+  walk.fill(lower);
+  walk.fill(upper);
   for (const auto& [position, chi_square] : walk.chi_squares()) {
     result.values.push_back(coordinates.to_value(i, position));
     result.chi_squares.push_back(chi_square);

@@ -114,8 +114,23 @@ void validate_search(const CalibrationCase& values, CaseChecker& checker) {
       checker.error("fit.bounds", fmt::format("{}: {}", row[0], problem.what()), "give values with units");
     }
   }
-  if (!values.sweep.parameter.empty())
-    require_parameter(values, "sweep.parameter", values.sweep.parameter, checker);
+  if (values.search.free.empty() && checker.is_sound("fit.free"))
+    checker.error("fit.free", "no parameter is free", "name at least one");
+}
+
+void validate_sweep(const CalibrationCase& values, CaseChecker& checker) {
+  const CalibrationSweep& sweep = values.sweep;
+  if (sweep.parameter.empty()) {
+    checker.warn_unused({"sweep.lower", "sweep.upper", "sweep.count", "sweep.spacing"},
+                        "a given sweep.parameter");
+    return;
+  }
+  require_parameter(values, "sweep.parameter", sweep.parameter, checker);
+  if (sweep.lower && sweep.upper && !(*sweep.lower < *sweep.upper))
+    checker.error("sweep.lower", "not less than " + checker.cite("sweep.upper"), "swap them");
+  if (sweep.spacing == ParameterScale::logarithmic && sweep.lower && !(*sweep.lower > 0))
+    checker.error("sweep.lower", "not above zero, where equal ratios begin",
+                  "raise it, or take spacing = \"linear\"");
 }
 
 }  // namespace
@@ -133,6 +148,7 @@ void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
   validate_conditions(values, checker);
   validate_lengths(values, checker);
   validate_search(values, checker);
+  validate_sweep(values, checker);
   if (!checker.is_sound()) return;
   try {
     pose_calibration(values, read_measurements(values)).check();

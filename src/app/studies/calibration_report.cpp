@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include "app/result_folder.hpp"
@@ -51,27 +52,31 @@ FactsSection asked(const CalibrationCase& values) {
   return section;
 }
 
+std::string written_interval(double low, double high) {
+  return std::isnan(low) || std::isnan(high) ? std::string() : fmt::format("{:.4g} to {:.4g}", low, high);
+}
+
 TableSection estimates(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
   const std::string level = fmt::format("{:g} % ", 100 * values.search.level);
   TableSection section{"estimates" + name.prefix, "Parameters" + name.heading, {}, {}};
-  section.columns = {{"parameter"},     {"unit"},          {"value"},       {"standard error"},
-                     {level + "low"},   {level + "high"},  {"profile low"}, {"profile high"},
-                     {"bootstrap low"}, {"bootstrap high"}};
+  section.columns = {{"parameter"},         {"unit"}, {"value"}, {"standard error"}, {level + "linearised"},
+                     {level + "by profile"}};
+  if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
   for (const LawParameter& parameter :
        chosen_law(calibrated_menu(values), calibrated_law(values))->parameters) {
     if (std::find(values.search.free.begin(), values.search.free.end(), parameter.name) ==
         values.search.free.end())
       continue;
-    const auto number = [&](const std::string& suffix) {
-      return summary.number(name.prefix + parameter.name + suffix);
+    const std::string key = name.prefix + parameter.name;
+    const auto interval = [&](const std::string& kind) {
+      return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
     };
     section.rows.push_back({parameter.name, parameter.unit == "1" ? std::string() : parameter.unit,
-                            number(""), number("_standard_error"), number("_lower"), number("_upper"),
-                            number("_profile_lower"), number("_profile_upper"), number("_bootstrap_lower"),
-                            number("_bootstrap_upper")});
+                            summary.number(key), summary.number(key + "_standard_error"), interval(""),
+                            interval("_profile")});
+    if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
   }
-  section.caption =
-      "Missing where the data cannot tell. Linearised, by the profile of the likelihood, by bootstrap.";
+  section.caption = "Missing where the data cannot tell (docs/theory/calibration.md).";
   return section;
 }
 
@@ -92,8 +97,8 @@ FactsSection quality(const SummaryFile& summary, const FitName& name) {
 }
 
 /// Draws what was measured with the fitted curve and its band; series of one quantity share a picture.
-void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& name, const CsvTable& fit,
-                   const CsvTable& curves, std::vector<ReportSection>& sections) {
+void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& name, double level,
+                   const CsvTable& fit, const CsvTable& curves, std::vector<ReportSection>& sections) {
   std::vector<std::pair<std::string, LinesSection>> pictures;
   for (std::size_t s = 0; s < measured.size(); ++s) {
     const MeasuredSeries& one = measured[s];
@@ -108,14 +113,16 @@ void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& n
                            {quantity, one.unit == "1" ? "" : one.unit},
                            {},
                            {},
-                           "Bands: confidence of the curve."};
+                           fmt::format("Bands: where another measurement would lie, with {:g} %; that of the "
+                                       "curve itself is in curves.csv.",
+                                       100 * level)};
       picture = pictures.insert(pictures.end(), {quantity, section});
     }
     const auto number = static_cast<double>(s);
     ReportSeries curve{one.name, pick(curves, name.number, number, "predicted")};
     curve.x = pick(curves, name.number, number, "time_s");
-    curve.low = pick(curves, name.number, number, "curve_low");
-    curve.high = pick(curves, name.number, number, "curve_high");
+    curve.low = pick(curves, name.number, number, "observation_low");
+    curve.high = pick(curves, name.number, number, "observation_high");
     ReportSeries points{one.name + ", measured", pick(fit, name.number, number, "observed"),
                         CurveStyle::points};
     points.x = pick(fit, name.number, number, "time_s");
@@ -193,7 +200,7 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
     if (measured.empty()) continue;
     document.sections.emplace_back(estimates(values, summary, name));
     document.sections.emplace_back(quality(summary, name));
-    append_curves(measured, name, fit, curves, document.sections);
+    append_curves(measured, name, values.search.level, fit, curves, document.sections);
     append_sweep(values, folder, name, summary, document.sections);
     append_profiles(values, folder, name, document.sections);
   }

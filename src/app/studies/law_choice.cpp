@@ -52,7 +52,7 @@ std::string friendly_unit(const LawParameter& parameter) {
   if (parameter.name == "d_f") return "um";
   if (parameter.name == "sigma_u" || parameter.name == "E_f") return "GPa";
   if (parameter.unit == "m") return "mm";
-  return parameter.unit;
+  return parameter.unit == "1" ? "" : parameter.unit;
 }
 
 std::string laws_with(const LawMenu& menu, const std::string& parameter) {

@@ -109,6 +109,8 @@ void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecke
         "orientation.columns",
         fmt::format("{} columns where {} are needed", orientation.columns.size(), wanted),
         wanted == 2 ? "name the columns of theta and phi" : "name the columns of the three components");
+  if (orientation.cut_normal && !(orientation.cut_normal->norm() > 0))
+    checker.error("orientation.cut_normal", "has no direction", "give a vector across the cut");
   if (orientation.cut_normal && !orientation.aspect_ratio)
     checker.error("orientation.aspect_ratio", "not given; the correction for a cut needs it",
                   "add aspect_ratio = 20 under [orientation]");
@@ -116,7 +118,7 @@ void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecke
     checker.warn_unused({"orientation.aspect_ratio"}, "a given orientation.cut_normal");
   checker.check_file("orientation.file", orientation.file);
   if (checker.is_sound("orientation.file") && checker.is_sound("orientation.columns") &&
-      checker.is_sound("orientation.aspect_ratio"))
+      checker.is_sound("orientation.cut_normal") && checker.is_sound("orientation.aspect_ratio"))
     check_list("orientation.file", checker,
                [&] { static_cast<void>(second_moment(read_directions(orientation))); });
 }

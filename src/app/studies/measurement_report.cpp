@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "app/report_document.hpp"
 #include "app/result_folder.hpp"
@@ -9,7 +10,6 @@
 #include "app/summary.hpp"
 #include "base/version.hpp"
 #include "io/csv_table.hpp"
-#include "microstructure/tensor.hpp"
 
 namespace fiberfate {
 namespace {
@@ -41,10 +41,10 @@ FactsSection asked(const MeasurementCase& values) {
 TableSection lengths_table(const SummaryFile& summary) {
   TableSection section{"lengths",
                        "Mean lengths",
-                       {{"average"}, {"value", "m"}, {"low", "m"}, {"high", "m"}, {"uncorrected", "m"}},
+                       {{"average"}, {"value", "mm"}, {"low", "mm"}, {"high", "mm"}, {"uncorrected", "mm"}},
                        {}};
   for (const char* name : {"L_N", "L_W"}) {
-    const auto number = [&](const char* suffix) { return summary.number(std::string(name) + suffix); };
+    const auto number = [&](const char* suffix) { return 1e3 * summary.number(std::string(name) + suffix); };
     section.rows.push_back(
         {std::string(name), number("_m"), number("_lower_m"), number("_upper_m"), number("_uncorrected_m")});
   }
@@ -74,8 +74,7 @@ TableSection orientation_table(const SummaryFile& summary) {
       "orientation", "Orientation tensor", {{"component"}, {"value"}, {"low"}, {"high"}}, {}};
   const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
              upper = summary.tensor("A2_upper");
-  for (int m = 0; m < 6; ++m) {
-    const int i = row_of[m], j = column_of[m];
+  for (const auto& [i, j] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}) {
     section.rows.push_back({fmt::format("A_{}{}", i + 1, j + 1), estimate(i, j), lower(i, j), upper(i, j)});
   }
   section.caption = fmt::format("{} directions.", summary.count("measured_directions"));

@@ -126,14 +126,29 @@ void validate_stress(const OrientationCase& values, CaseChecker& checker) {
                   "add aspect_ratio = 25 under [fibers], or give fiber_term");
 }
 
+/// Lists the gradients that the case gives: one, or one a row of its table.
+std::vector<Mat3> given_gradients(const OrientationFlowChoices& flow) {
+  if (flow.kind != OrientationFlow::table) return {constant_gradient(flow)};
+  std::vector<Mat3> gradients;
+  for (const std::vector<double>& row : flow.table) gradients.push_back(row_gradient(row, 1));
+  return gradients;
+}
+
 void warn_of_doubts(const OrientationCase& values, CaseChecker& checker) {
-  const Mat3 gradient = gradient_history(values.flow).at(0);
-  if (std::abs(gradient.trace()) > 1e-9 * gradient.cwiseAbs().maxCoeff())
-    checker.warn("flow.kind",
-                 fmt::format("the flow changes the volume: its divergence is {:.6g} 1/s", gradient.trace()),
-                 "give a gradient without trace unless the melt is compressed");
-  for (const std::string& doubt : doubts(orientation_model(values), values.fibers.orientation, gradient))
-    checker.warn("diffusion.name", doubt, "the tensor equation is still solved; judge its result with care");
+  std::vector<std::string> told;
+  const auto warn = [&](const char* key, const std::string& doubt, const char* remedy) {
+    if (std::find(told.begin(), told.end(), key) != told.end()) return;  // once is enough for a whole table
+    told.emplace_back(key);
+    checker.warn(key, doubt, remedy);
+  };
+  for (const Mat3& gradient : given_gradients(values.flow)) {
+    if (std::abs(gradient.trace()) > 1e-9 * gradient.cwiseAbs().maxCoeff())
+      warn(values.flow.kind == OrientationFlow::table ? "flow.table" : "flow.gradient",
+           fmt::format("the flow changes the volume: its divergence is {:.6g} 1/s", gradient.trace()),
+           "give gradients without trace unless the melt is compressed");
+    for (const std::string& doubt : doubts(orientation_model(values), values.fibers.orientation, gradient))
+      warn("diffusion.name", doubt, "the tensor equation is still solved; judge its result with care");
+  }
 }
 
 }  // namespace

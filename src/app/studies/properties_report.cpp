@@ -42,13 +42,13 @@ TableSection constants_table(const SummaryFile& summary) {
                             1e-9 * summary.number("aligned_" + key)});
   }
   for (const char* name : {"nu_23", "nu_31", "nu_12"})
-    section.rows.push_back({std::string(name), std::string(), summary.number(name),
+    section.rows.push_back({"ν" + std::string(name).substr(2), std::string(), summary.number(name),
                             summary.number(std::string("aligned_") + name)});
   const Mat3 part = summary.tensor("thermal_expansion_per_K"),
              aligned = summary.tensor("aligned_thermal_expansion_per_K");
   for (int i = 0; i < 3; ++i)
     section.rows.push_back(
-        {fmt::format("alpha_{}", i + 1), std::string("1e-6/K"), 1e6 * part(i, i), 1e6 * aligned(i, i)});
+        {fmt::format("α_{}", i + 1), std::string("10⁻⁶/K"), 1e6 * part(i, i), 1e6 * aligned(i, i)});
   section.caption =
       "Along axes 1, 2, 3; couplings of shear with stretching are in stiffness_Pa of summary.json.";
   return section;
