@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "microstructure/mean_lengths.hpp"
+
 namespace fiberfate {
 
 /// Holds how many fibers have which length; arrays of equal size, in any order, numbers not negative.
@@ -14,12 +16,6 @@ struct LengthClasses {
   /// Raises InputError when sizes differ, nothing is there, or a value is not positive and finite (numbers
   /// may be 0).
   void check() const;
-};
-
-/// Holds the two averages by which a length distribution is usually known.
-struct MeanLengths {
-  double number_average = 0;  ///< L_N = sum n L / sum n, m
-  double weight_average = 0;  ///< L_W = sum n L^2 / sum n L, m
 };
 
 /// Averages a population (thesis 2.5, 2.6); spans of equal size.

@@ -6,17 +6,14 @@
 
 #include "base/vector.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/mean_lengths.hpp"
 
 namespace fiberfate {
 
 /// Says whether every fiber counts alike or by its length (volume, for equal diameters).
 enum class Weighting { number, length };
 
-/// Holds the mean lengths of a population.
-struct MeanLengths {
-  double number_average = 0;  ///< L_N = sum(L)/N, m (thesis 2.5)
-  double weight_average = 0;  ///< L_W = sum(L²)/sum(L), m (thesis 2.6)
-};
+/// Averages the lengths of a population.
 [[nodiscard]] MeanLengths mean_lengths(const FiberState& state);
 
 /// Second-order orientation tensor A2 = <p p>. `length`: every rod by its length. `number`: every fiber

@@ -15,6 +15,7 @@
 #include "continuum/length_registry.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_table.hpp"
+#include "microstructure/length_statistics.hpp"
 
 namespace fiberfate {
 namespace {
@@ -47,21 +48,13 @@ void append_histogram(const LengthClasses& population, double time, const std::v
   }
 }
 
-std::vector<double> even_edges(double longest, std::int64_t bins) {
-  std::vector<double> edges;
-  for (std::int64_t i = 0; i <= bins; ++i)
-    edges.push_back(longest * (static_cast<double>(i) / static_cast<double>(bins)));
-  return edges;
-}
-
 Followed follow(const AttritionCase& values, const LawChoice& choice) {
   const auto law = make_attrition_law(choice.name, law_values(attrition_menu(), choice));
   const auto melt = make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt));
   const LengthHistory history = length_history(values.flow);
   const LengthStart start = length_start(values.fibers);
-  const std::vector<double> edges =
-      even_edges(*std::max_element(start.initial.lengths.begin(), start.initial.lengths.end()),
-                 values.output.histogram_bins);
+  const std::vector<double> edges = even_edges({start.initial.lengths, start.initial.numbers},
+                                               static_cast<int>(values.output.histogram_bins));
   std::vector<double> histogram_times = values.output.histogram_times;
   if (histogram_times.empty()) histogram_times = {0, values.duration};
 
