@@ -12,7 +12,8 @@ function(fiberfate_kernels module)
       file(CONFIGURE OUTPUT "${unit}" @ONLY CONTENT
            "// Compiles @kernel@ for @set@.\n#define FIBERFATE_ISA @set@\n#include \"@module@/@kernel@\"\n")
       set_source_files_properties("${unit}" PROPERTIES COMPILE_OPTIONS
-        "${FIBERFATE_FLAGS_${set}};-O3;-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-Wno-psabi")
+        "${FIBERFATE_FLAGS_${set}};-O3;-ffp-contract=fast;-fno-math-errno;-fno-trapping-math;-Wno-psabi;-Wno-uninitialized;-Wno-maybe-uninitialized")
+      # gcc 12 takes its own intrinsics for uninitialised.
       # Kernels must not see the headers of the standard library or Eigen (src/base/simd.hpp).
       set_source_files_properties("${unit}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
       target_sources(fiberfate_${module} PRIVATE "${unit}")

@@ -7,6 +7,10 @@
 
 #include <cstdint>
 
+#if defined(FIBERFATE_ISA) && defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
 namespace fiberfate {
 
 /// Names the instruction sets for which kernels are compiled.
@@ -52,6 +56,126 @@ static inline __attribute__((always_inline)) Pack square_root(const Pack& x) {
   Pack root;
   for (int i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(x[i]);
   return root;
+}
+
+/// Exponential function to about two units in the last place; x is clamped to [−700, 700].
+static inline __attribute__((always_inline)) Pack exponential_of(const Pack& x) {
+  const Pack bounded = clamp(x, -700, 700);
+  // x = n ln 2 + r; adding and taking away 1.5 · 2^52 rounds n to an integer and leaves it in the low bits.
+  const double magic = 6755399441055744.0;
+  const Pack shifted = bounded * 1.4426950408889634074 + magic;
+  const Pack n = shifted - magic;
+  const Pack r = (bounded - n * 6.93147180369123816490e-01) - n * 1.90821492927058770002e-10;
+  // Taylor series of degree 13: |r| <= ln 2 / 2 leaves less than 1e-17.
+  Pack sum = broadcast(1.0 / 6227020800.0);
+  const double inverse_factorials[13] = {
+      1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
+      1.0 / 120,       1.0 / 24,       1.0 / 6,       0.5,          1.0,         1.0};
+  for (int i = 0; i < 13; ++i) sum = sum * r + inverse_factorials[i];
+  const Mask exponent = reinterpret_cast<Mask>(shifted) << 52;
+  const Mask power = exponent + (std::int64_t{1023} << 52);
+  return sum * reinterpret_cast<Pack>(power);
+}
+
+/// Eight indices.
+typedef std::int32_t IndexPack __attribute__((vector_size(32)));
+
+static inline __attribute__((always_inline)) IndexPack load_indices(const std::int32_t* from) {
+  return *reinterpret_cast<const IndexPack*>(from);
+}
+/// Reads the doubles with the given indices.
+static inline __attribute__((always_inline)) Pack gather(const double* from, const IndexPack& index) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<Pack>(_mm512_i32gather_pd(reinterpret_cast<__m256i>(index), from, 8));
+#else
+  Pack gathered;
+  for (int lane = 0; lane < lanes; ++lane) gathered[lane] = from[index[lane]];
+  return gathered;
+#endif
+}
+
+/// Eight floats.
+typedef float HalfFloats __attribute__((vector_size(32)));
+
+/// Reads the floats with the given indices.
+static inline __attribute__((always_inline)) HalfFloats gather(const float* from, const IndexPack& index) {
+#if defined(__AVX2__)
+  return reinterpret_cast<HalfFloats>(_mm256_i32gather_ps(from, reinterpret_cast<__m256i>(index), 4));
+#else
+  HalfFloats gathered;
+  for (int lane = 0; lane < lanes; ++lane) gathered[lane] = from[index[lane]];
+  return gathered;
+#endif
+}
+
+/// Gathers the lanes of a comparison into the bits of a number.
+static inline __attribute__((always_inline)) std::uint32_t to_bits(const Mask& mask) {
+#if defined(__AVX512DQ__)
+  return _mm512_movepi64_mask(reinterpret_cast<const __m512i&>(mask));
+#else
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < lanes; ++lane) bits |= (mask[lane] != 0 ? 1U : 0U) << lane;
+  return bits;
+#endif
+}
+
+/// Sixteen floats that compute side by side, for culling.
+inline constexpr int float_lanes = 16;
+typedef float Floats __attribute__((vector_size(64)));
+typedef std::int32_t FloatMask __attribute__((vector_size(64)));
+typedef float UnalignedFloats __attribute__((vector_size(64), aligned(4)));
+
+static inline __attribute__((always_inline)) Floats read_floats(const float* from) {
+  return *reinterpret_cast<const UnalignedFloats*>(from);
+}
+static inline __attribute__((always_inline)) Floats clamp(const Floats& x, const Floats& low,
+                                                          const Floats& high) {
+  const Floats lifted = x < low ? low : x;
+  return lifted > high ? high : lifted;
+}
+
+/// Reads the floats with the given sixteen indices.
+static inline __attribute__((always_inline)) Floats gather(const float* from, const std::int32_t* index) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<Floats>(_mm512_i32gather_ps(_mm512_loadu_si512(index), from, 4));
+#else
+  Floats gathered;
+  for (int lane = 0; lane < float_lanes; ++lane) gathered[lane] = from[index[lane]];
+  return gathered;
+#endif
+}
+
+/// Gathers the lanes of a comparison into the bits of a number.
+static inline __attribute__((always_inline)) std::uint32_t to_bits(const FloatMask& mask) {
+#if defined(__AVX512DQ__)
+  return _mm512_movepi32_mask(reinterpret_cast<const __m512i&>(mask));
+#elif defined(__AVX2__)
+  const __m256* halves = reinterpret_cast<const __m256*>(&mask);
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(halves[0]) | (_mm256_movemask_ps(halves[1]) << 8));
+#else
+  std::uint32_t bits = 0;
+  for (int lane = 0; lane < float_lanes; ++lane) bits |= (mask[lane] != 0 ? 1U : 0U) << lane;
+  return bits;
+#endif
+}
+
+/// Selects the first `count` bits (all sixteen when there are more).
+static inline __attribute__((always_inline)) std::uint32_t first_bits(int count) {
+  return count < float_lanes ? (1U << count) - 1U : 0xFFFFU;
+}
+
+/// Writes the sixteen numbers whose bits are set, one after the other; up to sixteen may be overwritten.
+static inline __attribute__((always_inline)) int write_selected(std::int32_t* to, const std::int32_t* from,
+                                                                std::uint32_t bits) {
+#if defined(__AVX512F__)
+  const __m512i packed = _mm512_maskz_compress_epi32(static_cast<__mmask16>(bits), _mm512_loadu_si512(from));
+  _mm512_storeu_si512(to, packed);
+  return __builtin_popcount(bits);
+#else
+  int count = 0;
+  for (; bits != 0; bits &= bits - 1) to[count++] = from[__builtin_ctz(bits)];
+  return count;
+#endif
 }
 
 }  // namespace fiberfate::FIBERFATE_ISA

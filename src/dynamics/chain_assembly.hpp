@@ -1,21 +1,41 @@
-// Writes the system of one fiber into its lane.
+// Writes the systems of eight fibers: drag and couple of every rod, implicit bending of every hinge, loads.
 #pragma once
 
-#include "dynamics/chain_solver.hpp"
+#include "base/vector.hpp"
 
 namespace fiberfate {
 
-/// Says where a fiber's system goes.
-struct ChainLane {
-  ChainSystem& system;
-  int lane = 0;
-  int nodes = 0;  ///< of the group; those beyond the fiber's own become identities
+struct ChainProblem;
+class ChainSystem;
+class PairForces;
+
+/// Names eight fibers that are solved side by side, with what their lanes need. Plain numbers, because
+/// kernels of several instruction sets share it. A lane without a fiber repeats lane 0, of which it uses
+/// nothing.
+struct ChainGroup {
+  int nodes = 0;                                 ///< of the longest fiber
+  Index fiber[8] = {};                           ///< −1: lane unused
+  alignas(32) Index first[8] = {};               ///< first node
+  alignas(32) int rods[8] = {};                  ///< that can be read
+  alignas(32) int used[8] = {};                  ///< that count: `rods`, or none where the lane is unused
+  alignas(64) double bending_stiffness[8] = {};  ///< E I, N m²
 };
 
-/// Assembles drag, bending and loads of one fiber.
-void assemble_chain(const ChainProblem& problem, Index fiber, ChainLane lane);
+/// States what drag and bending depend on; arrays with one entry a node.
+struct AssemblyQuery {
+  double* records;            ///< of ChainSystem
+  const double* position;     ///< where bending is taken, m
+  const double* geometry;     ///< where drag and inextensibility are taken, m
+  const double* rod_length;   ///< m
+  const double* unit_drag;    ///< RodDrag: four numbers a rod
+  const double* gradient;     ///< kappa by columns, 1/s
+  const double* strain_rate;  ///< D by columns, 1/s
+  double viscosity;           ///< Pa s
+  double step;                ///< s
+  bool is_anisotropic;        ///< whether parallel and perpendicular drag may differ
+};
 
-/// Fills a lane that has no fiber, or the nodes from `first` on, with identities.
-void pad_chain(ChainLane lane, int first);
+/// Assembles drag, bending and loads of a group.
+void assemble_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system);
 
 }  // namespace fiberfate

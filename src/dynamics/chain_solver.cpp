@@ -6,7 +6,6 @@
 
 #include "base/simd.hpp"
 #include "base/threads.hpp"
-#include "dynamics/chain_assembly.hpp"
 
 namespace fiberfate {
 
@@ -33,6 +32,21 @@ void eliminate(ChainSystem& system, int nodes) {
   }
 }
 
+ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {
+  ChainGroup group;
+  for (std::size_t lane = 0; lane < ChainSystem::lanes; ++lane) {
+    const bool is_used = lane < fibers.size();
+    const Index fiber = is_used ? fibers[lane] : fibers[0];
+    group.fiber[lane] = is_used ? fiber : -1;
+    group.first[lane] = state.begin_node(fiber);
+    group.rods[lane] = state.rod_count(fiber);
+    group.used[lane] = is_used ? group.rods[lane] : 0;
+    group.bending_stiffness[lane] = state.material(fiber).bending_stiffness();
+    group.nodes = std::max(group.nodes, group.rods[lane] + 1);
+  }
+  return group;
+}
+
 }  // namespace
 
 void ChainSolver::arrange(const FiberState& state) {
@@ -41,41 +55,26 @@ void ChainSolver::arrange(const FiberState& state) {
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return state.rod_count(a) > state.rod_count(b); });
   groups_.clear();
-  for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes) {
-    Group group;
-    group.nodes = state.rod_count(order[i]) + 1;
-    for (std::size_t lane = 0; lane < ChainSystem::lanes; ++lane)
-      group.fiber[lane] = i + lane < order.size() ? order[i + lane] : -1;
-    groups_.push_back(group);
-  }
+  for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes)
+    groups_.push_back(
+        group_of(state, {order.data() + i, std::min<std::size_t>(ChainSystem::lanes, order.size() - i)}));
 }
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
-  const FiberState& state = problem.state;
   systems_.resize(std::max(systems_.size(), static_cast<std::size_t>(thread_count())));
   parallel_for(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
-    const Group& group = groups_[static_cast<std::size_t>(g)];
+    const ChainGroup& group = groups_[static_cast<std::size_t>(g)];
     ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];
     system.reserve(group.nodes);
-    for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
-      const Index fiber = group.fiber[static_cast<std::size_t>(lane)];
-      if (fiber < 0) {
-        pad_chain({system, lane, group.nodes}, 0);
-      } else {
-        assemble_chain(problem, fiber, {system, lane, group.nodes});
-      }
-    }
+    assemble_group(problem, group, system);
     eliminate(system, group.nodes);
     for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
-      const Index fiber = group.fiber[static_cast<std::size_t>(lane)];
-      if (fiber < 0) continue;
-      const Index first = state.begin_node(fiber);
-      for (Index n = first; n < state.end_node(fiber); ++n) {
-        const double* record = system.record(n - first) + lane;
+      for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {
+        const auto n = static_cast<std::size_t>(group.first[lane] + k);
+        const double* record = system.record(k) + lane;
         const double* w = record + ChainSystem::load * ChainSystem::lanes;
-        solution.relative_velocity[static_cast<std::size_t>(n)] =
-            Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
-        solution.tension[static_cast<std::size_t>(n)] = record[ChainSystem::stretch * ChainSystem::lanes];
+        solution.relative_velocity[n] = Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
+        solution.tension[n] = record[ChainSystem::stretch * ChainSystem::lanes];
       }
     }
   });

@@ -2,12 +2,13 @@
 // length.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
 #include "dynamics/drag.hpp"
+#include "dynamics/pair_forces.hpp"
 #include "dynamics/rod_loads.hpp"
 #include "fibers/flow.hpp"
 #include "fibers/state.hpp"
@@ -21,7 +22,10 @@ struct ChainProblem {
   std::span<const RodDrag> unit_drag;  ///< of every rod, for a viscosity of 1 Pa s
   const RodLoads& loads;               ///< forces on rods, implicit in their velocity
   Flow flow;
-  double step = 0;  ///< over which bending is implicit, s; 0 makes it explicit
+  double step = 0;                           ///< over which bending is implicit, s; 0 makes it explicit
+  const PairForces* pairs = nullptr;         ///< forces between rods, linearised about ...
+  std::span<const Vec3> pair_velocity = {};  ///< ... these velocities w, m/s
+  bool is_anisotropic = true;                ///< whether the drag along a rod may differ from that across it
 };
 
 /// Receives the solution. Spans with one entry a node.
@@ -42,11 +46,7 @@ class ChainSolver {
   void solve(const ChainProblem& problem, ChainSolution solution);
 
  private:
-  struct Group {
-    std::array<Index, ChainSystem::lanes> fiber;  ///< -1: lane unused
-    int nodes = 0;                                ///< of the longest fiber
-  };
-  std::vector<Group> groups_;
+  std::vector<ChainGroup> groups_;
   std::vector<ChainSystem> systems_;  ///< one a thread
 };
 

@@ -4,8 +4,17 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
+#include <vector>
+
+#include "dynamics/pair_forces.hpp"
 
 namespace fiberfate {
+
+/// Lists the shares of a group's rods, fiber by fiber, and where each rod's shares end.
+struct GroupShares {
+  std::vector<PairForces::Share> shares;
+  std::vector<std::size_t> ends;
+};
 
 /// Holds, for eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
 /// tensions:
@@ -40,6 +49,8 @@ class ChainSystem {
     return record(node)[component * lanes + lane];
   }
   [[nodiscard]] double* factors() { return factors_.get(); }
+  /// Scratch for the forces of pairs on the rods of the eight fibers.
+  [[nodiscard]] GroupShares& shares() { return shares_; }
 
  private:
   struct Free {
@@ -48,6 +59,7 @@ class ChainSystem {
   int capacity_ = 0;
   std::unique_ptr<double[], Free> records_;
   std::unique_ptr<double[], Free> factors_;
+  GroupShares shares_;
 };
 
 }  // namespace fiberfate

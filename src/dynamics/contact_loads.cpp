@@ -5,57 +5,17 @@
 #include <cmath>
 
 #include "base/threads.hpp"
+#include "dynamics/contact_forces.hpp"
 
 namespace fiberfate {
-namespace {
-
-/// Resists motion along n and across it differently: normal n nᵀ + tangential (I − n nᵀ).
-struct Resistance {
-  Vec3 n;
-  double normal;
-  double tangential;
-
-  [[nodiscard]] Vec3 times(const Vec3& w) const {
-    return tangential * w + (normal - tangential) * n.dot(w) * n;
-  }
-  [[nodiscard]] std::array<double, 6> components() const {
-    const double e = normal - tangential;
-    return {tangential + e * n.x() * n.x(),
-            tangential + e * n.y() * n.y(),
-            tangential + e * n.z() * n.z(),
-            e * n.y() * n.z(),
-            e * n.z() * n.x(),
-            e * n.x() * n.y()};
-  }
-};
-
-/// Makes the load force − R (w − w_old).
-RodLoad linear_load(double lever, const Vec3& force, const Resistance& resistance, const Vec3& old_velocity) {
-  return {lever, force + resistance.times(old_velocity), resistance.components()};
-}
-
-// Loads of walls come after those of contacts.
-constexpr std::uint64_t first_wall_key = std::uint64_t{1} << 60;
-
-/// Orders the loads of a rod by the rod that exerts them and its image, seen from this one.
-std::uint64_t order_key(Index other, const std::array<std::int8_t, 3>& image, int sign) {
-  std::uint64_t key = static_cast<std::uint64_t>(other);
-  for (const std::int8_t turns : image) key = key * 256 + static_cast<std::uint64_t>(128 + sign * turns);
-  return key;
-}
-
-Vec3 velocity_at(std::span<const Vec3> w, Index rod, double place) {
-  const auto n = static_cast<std::size_t>(rod);
-  return (1 - place) * w[n] + place * w[n + 1];
-}
-
-}  // namespace
 
 ContactLoads::ContactLoads(const ContactParameters& parameters, const FiberState& state)
     : parameters_(parameters), materials_(state.materials.size()) {
   for (const FiberMaterial& first : state.materials) {
-    for (const FiberMaterial& second : state.materials)
+    for (const FiberMaterial& second : state.materials) {
       laws_.emplace_back(parameters, 0.5 * (first.radius + second.radius));
+      constants_.push_back(laws_.back().constants());
+    }
   }
 }
 
@@ -65,47 +25,47 @@ double ContactLoads::range() const {
   return range;
 }
 
-void ContactLoads::arrange(std::span<const Contact> contacts, const FiberState& state) {
-  walls_ = parameters_.force_constant > 0 ? find_wall_contacts(state) : std::vector<WallContact>();
-  claims_.clear();
-  for (const Contact& contact : contacts) {
-    claims_.push_back({contact.first, order_key(contact.second, contact.image, 1)});
-    claims_.push_back({contact.second, order_key(contact.first, contact.image, -1)});
-  }
-  for (std::size_t w = 0; w < walls_.size(); ++w) claims_.push_back({walls_[w].rod, first_wall_key + w});
-  loads_.arrange(state.node_count(), claims_, slots_);
-  normal_force_.resize(contacts.size());
-}
-
-void ContactLoads::evaluate(std::span<const Contact> contacts, const LoadContext& context) {
+void ContactLoads::arrange(const ContactSet& contacts, const FiberState& state) {
+  chunk_begin_.resize(contacts.size() + 1);
+  chunk_begin_[0] = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) chunk_begin_[c + 1] = chunk_begin_[c] + contacts[c].count;
+  pairs_.reset(state.node_count(), chunk_begin_.back());
   parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
-    evaluate_contact(static_cast<std::size_t>(c), contacts[static_cast<std::size_t>(c)], context);
+    pairs_.link(chunk_begin_[static_cast<std::size_t>(c)], contacts[static_cast<std::size_t>(c)]);
   });
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    loads_.slot(slots_[2 * contacts.size() + w]) = wall_load(walls_[w], context);
+  arrange_walls(state);
 }
 
-void ContactLoads::evaluate_contact(std::size_t index, const Contact& contact, const LoadContext& context) {
-  const NormalForce& law = laws_[contact.first_material * materials_ + contact.second_material];
-  const Vec3& n = contact.normal;
-  const Vec3 w1 = velocity_at(context.relative_velocity, contact.first, contact.s);
-  const Vec3 w2 = velocity_at(context.relative_velocity, contact.second, contact.t);
-  const Vec3 relative = w1 - w2 + contact.distance * (context.flow.gradient * n);
-  const double approach = n.dot(relative);
-  const Vec3 slip = relative - approach * n;
+void ContactLoads::arrange_walls(const FiberState& state) {
+  walls_ = parameters_.force_constant > 0 ? find_wall_contacts(state) : std::vector<WallContact>();
+  if (walls_.empty() && claims_.empty()) return;
+  claims_.clear();
+  for (std::size_t w = 0; w < walls_.size(); ++w) claims_.push_back({walls_[w].rod, w});
+  wall_loads_.arrange(state.node_count(), claims_, slots_);
+}
 
-  const double predicted = contact.distance + context.step * approach;
-  const double force = law(predicted);
-  const double friction =
-      Friction{parameters_.friction, parameters_.slip_velocity}(force, slip.squaredNorm());
-  // Pairs about to close are held like closed ones, or they would overshoot the ramp within a step.
-  const bool near = predicted < law.reach() + parameters_.ramp;
-  const double stiffness = near ? law.stiffness(force) : 0;
-  const Resistance resistance{n, 2 * stiffness * context.step, 2 * friction};
-  const Vec3 on_first = force * n - friction * slip;
-  normal_force_[index] = force;
-  loads_.slot(slots_[2 * index]) = linear_load(contact.s, on_first, resistance, w1);
-  loads_.slot(slots_[2 * index + 1]) = linear_load(contact.t, -on_first, resistance, w2);
+void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& context) {
+  const ForceQuery query{context.relative_velocity[0].data(),
+                         context.flow.gradient.data(),
+                         context.step,
+                         {parameters_.friction, parameters_.slip_velocity},
+                         constants_.data(),
+                         static_cast<int>(materials_)};
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
+    const auto i = static_cast<std::size_t>(c);
+    evaluate_forces(contacts[i], query, pairs_.forces().data() + chunk_begin_[i]);
+  });
+  for (std::size_t w = 0; w < walls_.size(); ++w) wall_loads_.slot(slots_[w]) = wall_load(walls_[w], context);
+}
+
+double ContactLoads::largest_normal_force() const {
+  double largest = 0;
+  for (const PairForce& pair : pairs_.forces()) {
+    const double normal =
+        pair.force[0] * pair.normal[0] + pair.force[1] * pair.normal[1] + pair.force[2] * pair.normal[2];
+    largest = std::max(largest, normal);
+  }
+  return largest;
 }
 
 RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& context) const {
@@ -123,8 +83,14 @@ RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& cont
       Friction{parameters_.wall_friction, parameters_.slip_velocity}(force, slip.squaredNorm());
   const double stiffness = predicted < law.reach() + parameters_.ramp ? 2 * law.stiffness(force) : 0;
   // The wall's velocity is known, so its term needs no bound of a coupled one.
-  const Resistance resistance{n, stiffness * context.step, friction};
-  return linear_load(wall.node == wall.rod ? 0.0 : 1.0, force * n - friction * slip, resistance, w);
+  const double normal = stiffness * context.step;
+  const double excess = normal - friction;
+  const Vec3 held = friction * w + excess * n.dot(w) * n;
+  return {wall.node == wall.rod ? 0.0 : 1.0,
+          force * n - friction * slip + held,
+          {friction + excess * n.x() * n.x(), friction + excess * n.y() * n.y(),
+           friction + excess * n.z() * n.z(), excess * n.y() * n.z(), excess * n.z() * n.x(),
+           excess * n.x() * n.y()}};
 }
 
 }  // namespace fiberfate

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "dynamics/contact_law.hpp"
-#include "dynamics/contact_search.hpp"
+#include "dynamics/contact_set.hpp"
+#include "dynamics/pair_forces.hpp"
 #include "dynamics/rod_loads.hpp"
 #include "dynamics/wall_search.hpp"
 #include "fibers/flow.hpp"
+#include "fibers/state.hpp"
 
 namespace fiberfate {
 
@@ -32,29 +34,34 @@ class ContactLoads {
  public:
   ContactLoads(const ContactParameters& parameters, const FiberState& state);
 
-  /// Makes room for the loads of these contacts and finds the walls' contacts.
-  void arrange(std::span<const Contact> contacts, const FiberState& state);
+  /// Makes room for the forces of these contacts and finds the walls' contacts.
+  void arrange(const ContactSet& contacts, const FiberState& state);
   /// Evaluates the loads of the contacts that were arranged.
-  void evaluate(std::span<const Contact> contacts, const LoadContext& context);
+  void evaluate(const ContactSet& contacts, const LoadContext& context);
 
-  [[nodiscard]] const RodLoads& loads() const { return loads_; }
-  /// Normal force of every contact as predicted for the step's end, N.
-  [[nodiscard]] std::span<const double> normal_force() const { return normal_force_; }
+  /// Forces between rods.
+  [[nodiscard]] const PairForces& pairs() const { return pairs_; }
+  /// Loads of the walls.
+  [[nodiscard]] const RodLoads& walls() const { return wall_loads_; }
+  /// Largest normal force of a contact of rods, N.
+  [[nodiscard]] double largest_normal_force() const;
   /// Predicted distance of axes below which two rods act on each other (those about to close included), m.
   [[nodiscard]] double range() const;
 
  private:
-  void evaluate_contact(std::size_t index, const Contact& contact, const LoadContext& context);
+  void arrange_walls(const FiberState& state);
   [[nodiscard]] RodLoad wall_load(const WallContact& wall, const LoadContext& context) const;
 
   ContactParameters parameters_;
   std::size_t materials_ = 0;
   std::vector<NormalForce> laws_;  // by pair of materials
+  std::vector<NormalForce::Constants> constants_;
+  std::vector<Index> chunk_begin_;  // of the chunks' forces
+  PairForces pairs_;
   std::vector<WallContact> walls_;
-  std::vector<RodLoads::Claim> claims_;  // two a contact, then one a wall contact
+  std::vector<RodLoads::Claim> claims_;  // one a wall contact
   std::vector<Index> slots_;             // of the claims
-  std::vector<double> normal_force_;
-  RodLoads loads_;
+  RodLoads wall_loads_;
 };
 
 }  // namespace fiberfate

@@ -9,6 +9,9 @@
 namespace fiberfate {
 namespace {
 
+// Room that the kernels need beyond the pairs of a chunk.
+constexpr std::size_t overrun = 16;
+
 bool begins_fiber(const FiberState& state, Index fiber, Index rod) {
   return rod == state.begin_node(fiber);
 }
@@ -16,7 +19,7 @@ bool ends_fiber(const FiberState& state, Index fiber, Index rod) {
   return rod + 2 == state.end_node(fiber);
 }
 
-/// Names one rod of a pair and the place of the contact on it.
+/// Names a rod of a pair and the place of the contact on it.
 struct RodPlace {
   Index fiber, rod;
   double place;
@@ -35,97 +38,87 @@ bool belongs_to_neighbour(const FiberState& state, const RodPlace& at, const Vec
 /// Works through the pairs of one chunk.
 class ChunkSearch {
  public:
-  ChunkSearch(const FiberState& state, const NeighbourList& neighbours, const ContactDemand& demand)
-      : state_(state), neighbours_(neighbours), demand_(demand), travel_(neighbours.travel()) {}
+  ChunkSearch(const FiberState& state, const NeighbourList& neighbours, double range)
+      : state_(state), neighbours_(neighbours), range_(range) {}
 
-  void run(std::vector<RodPair>& pairs, std::vector<Contact>& contacts) {
+  void run(RodPairs& pairs, std::vector<Index>& awake, ContactChunk& contacts) {
     contacts.clear();
-    for (RodPair& pair : pairs) {
-      if (approach(pair) < pair.wake || is_exempt(pair)) continue;
-      gather(pair);
-      if (count_ == SegmentBlock::capacity) evaluate(contacts);
-    }
-    if (count_ > 0) evaluate(contacts);
+    const auto room = static_cast<std::size_t>(pairs.size()) + overrun;
+    if (awake.size() < room) awake.resize(2 * room);
+    const int count = find_awake_pairs(pairs, neighbours_.reach().data(), awake.data());
+    if (count == 0) return;
+    contacts.reserve(count);
+    std::fill_n(awake.begin() + count, SegmentBlock::capacity / 8, awake[0]);
+    for (int i = 0; i < count; i += SegmentBlock::capacity)
+      evaluate(pairs,
+               {awake.data() + i, static_cast<std::size_t>(std::min(SegmentBlock::capacity, count - i))},
+               contacts);
   }
 
  private:
-  /// Travels of both rods so far and in the coming step.
-  [[nodiscard]] double approach(const RodPair& pair) const {
-    const auto i = static_cast<std::size_t>(pair.first);
-    const auto j = static_cast<std::size_t>(pair.second);
-    return travel_[i] + travel_[j] + coming(i, j);
-  }
-  [[nodiscard]] double coming(std::size_t i, std::size_t j) const {
-    return demand_.ahead[i] + demand_.ahead[j] + 2 * demand_.strain_share;
-  }
-
-  [[nodiscard]] bool is_exempt(const RodPair& pair) const {
-    if (pair.second != pair.first + 2) return false;
-    const Index fiber = neighbours_.fiber_of(pair.second);
-    return state_.touches_previous[static_cast<std::size_t>(fiber)] != 0 &&
-           begins_fiber(state_, fiber, pair.second) && pair.image == std::array<std::int8_t, 3>{};
-  }
-
-  void gather(RodPair& pair) {
-    block_.put(count_, state_, pair.first, pair.second, pair.image);
-    source_[static_cast<std::size_t>(count_++)] = &pair;
-  }
-
-  void evaluate(std::vector<Contact>& contacts) {
-    block_.fill_up(count_);
-    find_segment_distances(block_, count_);
-    for (int i = 0; i < count_; ++i) {
-      RodPair& pair = *source_[static_cast<std::size_t>(i)];
-      const auto first = static_cast<std::size_t>(pair.first);
-      const auto second = static_cast<std::size_t>(pair.second);
-      const double gap = block_.distance[i] - demand_.range;
-      pair.wake = travel_[first] + travel_[second] + std::max(0.0, gap);
-      if (gap < coming(first, second)) keep(i, contacts);
+  void evaluate(RodPairs& pairs, std::span<const Index> which, ContactChunk& contacts) {
+    const SegmentQuery query{pairs.first.data(),         pairs.second.data(),
+                             pairs.image.data(),         state_.position[0].data(),
+                             state_.cell.lattice.data(), neighbours_.travel().data(),
+                             neighbours_.ahead().data(), range_};
+    find_segment_distances(query, which.data(), static_cast<int>(which.size()), block_);
+    for (std::size_t i = 0; i < which.size(); ++i)
+      pairs.wake[static_cast<std::size_t>(which[i])] = block_.wake[i];
+    for (std::size_t first = 0; first < which.size(); first += 8) {
+      for (unsigned near = block_.near[first / 8]; near != 0; near &= near - 1) {
+        const std::size_t i = first + static_cast<std::size_t>(__builtin_ctz(near));
+        if (i < which.size()) keep(pairs, static_cast<std::size_t>(which[i]), i, contacts);
+      }
     }
-    count_ = 0;
   }
 
-  void keep(int i, std::vector<Contact>& contacts) const {
-    const RodPair& pair = *source_[static_cast<std::size_t>(i)];
-    const Index f = neighbours_.fiber_of(pair.first);
-    const Index g = neighbours_.fiber_of(pair.second);
+  void keep(const RodPairs& pairs, std::size_t pair, std::size_t i, ContactChunk& contacts) const {
+    const Index first = pairs.first[pair];
+    const Index second = pairs.second[pair];
+    const Index f = neighbours_.fiber_of(first);
+    const Index g = neighbours_.fiber_of(second);
+    if (second == first + 2 && pairs.image[pair] == 0 && is_exempt(g, second)) return;
     const Vec3 separation(block_.separation[0][i], block_.separation[1][i], block_.separation[2][i]);
-    if (belongs_to_neighbour(state_, {f, pair.first, block_.s[i]}, -separation)) return;
-    if (belongs_to_neighbour(state_, {g, pair.second, block_.t[i]}, separation)) return;
-    contacts.push_back({pair.first, pair.second, block_.s[i], block_.t[i], normal(i, separation),
-                        block_.distance[i], pair.image, state_.material_id[static_cast<std::size_t>(f)],
-                        state_.material_id[static_cast<std::size_t>(g)]});
+    if (belongs_to_neighbour(state_, {f, first, block_.s[i]}, -separation)) return;
+    if (belongs_to_neighbour(state_, {g, second, block_.t[i]}, separation)) return;
+    contacts.add({first, second, block_.s[i], block_.t[i],
+                  normal({first, second}, separation, block_.distance[i]), block_.distance[i],
+                  pairs.image[pair], state_.material_id[static_cast<std::size_t>(f)],
+                  state_.material_id[static_cast<std::size_t>(g)]});
+  }
+
+  [[nodiscard]] bool is_exempt(Index fiber, Index rod) const {
+    return state_.touches_previous[static_cast<std::size_t>(fiber)] != 0 && begins_fiber(state_, fiber, rod);
   }
 
   /// Unit vector from the second rod to the first; axes that cross exactly are pushed apart across both.
-  [[nodiscard]] Vec3 normal(int i, const Vec3& separation) const {
-    if (block_.distance[i] > 0) return separation / block_.distance[i];
-    const Vec3 u(block_.first[0][i], block_.first[1][i], block_.first[2][i]);
-    const Vec3 v(block_.second[0][i], block_.second[1][i], block_.second[2][i]);
-    const Vec3 across = u.cross(v);
-    return across.squaredNorm() > 0 ? across.normalized() : u.unitOrthogonal();
+  [[nodiscard]] Vec3 normal(const std::array<Index, 2>& rods, const Vec3& separation, double distance) const {
+    if (distance > 0) return separation / distance;
+    const auto axis = [this](Index rod) -> Vec3 {
+      const auto n = static_cast<std::size_t>(rod);
+      return state_.position[n + 1] - state_.position[n];
+    };
+    const Vec3 across = axis(rods[0]).cross(axis(rods[1]));
+    return across.squaredNorm() > 0 ? across.normalized() : axis(rods[0]).unitOrthogonal();
   }
 
   const FiberState& state_;
   const NeighbourList& neighbours_;
-  const ContactDemand& demand_;
-  std::span<const double> travel_;
+  double range_;
   SegmentBlock block_;
-  std::array<RodPair*, SegmentBlock::capacity> source_{};
-  int count_ = 0;
 };
 
 }  // namespace
 
-void ContactSearch::find(const FiberState& state, NeighbourList& neighbours, const ContactDemand& demand) {
+void ContactSearch::find(const FiberState& state, NeighbourList& neighbours, double range) {
   const auto chunks = neighbours.chunks();
-  by_chunk_.resize(chunks.size());
+  contacts_.resize(chunks.size());
+  awake_.resize(std::max(awake_.size(), static_cast<std::size_t>(thread_count())));
   parallel_for(static_cast<std::ptrdiff_t>(chunks.size()), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
-    ChunkSearch(state, neighbours, demand).run(chunks[i], by_chunk_[i]);
+    ChunkSearch(state, neighbours, range)
+        .run(chunks[i], awake_[static_cast<std::size_t>(omp_get_thread_num())], contacts_[i]);
   });
-  contacts_.clear();
-  for (const auto& chunk : by_chunk_) contacts_.insert(contacts_.end(), chunk.begin(), chunk.end());
 }
 
 }  // namespace fiberfate

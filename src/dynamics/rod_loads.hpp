@@ -37,8 +37,10 @@ class RodLoads {
   void arrange(Index nodes, std::span<const Claim> claims, std::vector<Index>& slots);
   [[nodiscard]] RodLoad& slot(Index number) { return loads_[static_cast<std::size_t>(number)]; }
 
+  [[nodiscard]] bool is_empty() const { return loads_.empty(); }
   [[nodiscard]] std::span<const RodLoad> of_rod(Index rod) const {
     const auto r = static_cast<std::size_t>(rod);
+    if (loads_.empty()) return {};
     return {loads_.data() + begin_[r], static_cast<std::size_t>(begin_[r + 1] - begin_[r])};
   }
 

@@ -57,8 +57,6 @@ struct Simulation::Parts {
     middle.resize(nodes);
     velocity.resize(nodes);
     tension.resize(nodes);
-    speed.resize(nodes);
-    ahead.resize(nodes);
     travelled.resize(nodes);
     list_is_stale = true;
   }
@@ -73,9 +71,10 @@ struct Simulation::Parts {
   }
 
   void find_contacts(const Flow& now, double step);
-  void build_list(double step);
+  void build_list(const Flow& now, double step);
   double try_step(const Flow& now, double step);
   void accept(const Flow& now, const StepChoice& choice, double error, double event);
+  void measure(const Contact& contact, ContactStatistics& statistics, std::vector<double>& overlaps) const;
   [[nodiscard]] SimulationFailure failure(const std::string& what) const;
 
   // Params
@@ -92,8 +91,7 @@ struct Simulation::Parts {
   std::vector<Vec3> middle;
   std::vector<Vec3> velocity;
   std::vector<double> tension;
-  std::vector<double> speed;
-  std::vector<double> ahead;
+  std::vector<double> margin;
   std::vector<double> travelled;
   bool list_is_stale = true;
   // Results
@@ -137,40 +135,41 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
       loads.evaluate(search.contacts(), {velocity, now, step});
     }
     const PhaseTimer timer(times, Phase::solve);
-    solver.solve({state, middle, unit_drag, loads.loads(), now, step}, {velocity, tension});
+    const ChainProblem problem{state,          middle,   unit_drag,
+                               loads.walls(),  now,      step,
+                               &loads.pairs(), velocity, parameters.drag == DragLaw::ellipsoid};
+    solver.solve(problem, {velocity, tension});
   }
   return displacement_error(state, step, velocity);
 }
 
 void Simulation::Parts::find_contacts(const Flow& now, double step) {
   if (has_contacts()) {
-    largest_speeds(state, speed);
-    std::transform(speed.begin(), speed.end(), ahead.begin(), [step](double v) { return v * step; });
     {
       const PhaseTimer timer(times, Phase::neighbours);
-      if (list_is_stale || !neighbours.covers(state, now, step, ahead)) build_list(step);
+      if (!neighbours.look_ahead(state, now, step) || list_is_stale) build_list(now, step);
     }
     const PhaseTimer timer(times, Phase::loads);
-    search.find(state, neighbours, {loads.range(), neighbours.strain_share(now, step), ahead});
+    search.find(state, neighbours, loads.range());
   }
   const PhaseTimer timer(times, Phase::loads);
   loads.arrange(search.contacts(), state);
 }
 
-void Simulation::Parts::build_list(double step) {
-  const double shared =
-      shared_speed * std::accumulate(speed.begin(), speed.end(), 0.0) / static_cast<double>(speed.size());
-  std::vector<double> margin(speed.size());
+void Simulation::Parts::build_list(const Flow& now, double step) {
+  const auto ahead = neighbours.ahead();
+  const double mean = std::accumulate(ahead.begin(), ahead.end(), 0.0) / static_cast<double>(ahead.size());
+  margin.resize(ahead.size());
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
     const double radius = state.material(fiber).radius;
     for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
       const auto n = static_cast<std::size_t>(k);
-      const double wanted = list_life * step * (speed[n] + shared);
-      margin[n] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * step * speed[n];
+      const double wanted = list_life * (ahead[n] + shared_speed * mean);
+      margin[n] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead[n];
     }
   }
-  neighbours.build(state, loads.range(), std::move(margin));
-  list_is_stale = false;
+  neighbours.build(state, loads.range(), margin);
+  list_is_stale = !neighbours.look_ahead(state, now, step);
 }
 
 void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double error, double event) {
@@ -193,7 +192,7 @@ void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double
 
 SimulationFailure Simulation::Parts::failure(const std::string& what) const {
   FailurePlace place{state.step, state.time, -1, 0};
-  for (const double force : loads.normal_force()) place.largest_force = std::max(place.largest_force, force);
+  place.largest_force = loads.largest_normal_force();
   double worst = -1;
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
     for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
@@ -221,18 +220,10 @@ ContactStatistics Simulation::contact_statistics() {
   if (!p.has_contacts()) return statistics;
   p.find_contacts(p.flow.at(p.state.time), 0);
   std::vector<double> overlaps;
-  for (const Contact& contact : p.search.contacts()) {
-    const double first = p.state.materials[contact.first_material].radius;
-    const double second = p.state.materials[contact.second_material].radius;
-    const double mean = 0.5 * (first + second);
-    const double force = NormalForce(p.parameters.contact, mean)(contact.distance);
-    if (force <= 0) continue;
-    const double overlap = (first + second - contact.distance) / mean;
-    ++statistics.contacts;
-    overlaps.push_back(overlap);
-    statistics.max_overlap = std::max(statistics.max_overlap, overlap);
-    statistics.largest_force = std::max(statistics.largest_force, force);
+  for (const ContactChunk& chunk : p.search.contacts()) {
+    for (int i = 0; i < chunk.count; ++i) p.measure(chunk.at(i), statistics, overlaps);
   }
+  statistics.contacts = static_cast<std::int64_t>(overlaps.size());
   statistics.contacts_per_fiber = 2.0 * static_cast<double>(statistics.contacts) / p.state.fiber_count();
   // Contacts come in the order of the neighbour list, which a resumed run builds anew: sort, so that the sum
   // always rounds alike.
@@ -240,6 +231,20 @@ ContactStatistics Simulation::contact_statistics() {
   const double sum = std::accumulate(overlaps.begin(), overlaps.end(), 0.0);
   if (statistics.contacts > 0) statistics.mean_overlap = sum / static_cast<double>(statistics.contacts);
   return statistics;
+}
+
+/// Takes a contact into the statistics when it carries a force.
+void Simulation::Parts::measure(const Contact& contact, ContactStatistics& statistics,
+                                std::vector<double>& overlaps) const {
+  const double first = state.materials[contact.first_material].radius;
+  const double second = state.materials[contact.second_material].radius;
+  const double mean = 0.5 * (first + second);
+  const double force = NormalForce(parameters.contact, mean)(contact.distance);
+  if (force <= 0) return;
+  const double overlap = (first + second - contact.distance) / mean;
+  overlaps.push_back(overlap);
+  statistics.max_overlap = std::max(statistics.max_overlap, overlap);
+  statistics.largest_force = std::max(statistics.largest_force, force);
 }
 
 PhaseTimes& Simulation::times() {

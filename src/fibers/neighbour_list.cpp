@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/threads.hpp"
 #include "fibers/pair_collector.hpp"
@@ -19,17 +18,15 @@ constexpr double bin_share = 0.5;
 // Rounding of coordinates in single precision, relative to the largest one.
 constexpr double single_rounding = 4e-7;
 
+// Travels in single precision are rounded up: relative, and for the sum of many steps by a length far below
+// any that matters.
+float round_up(double length) {
+  return static_cast<float>(length * (1 + 1e-6) + 1e-14);
+}
+
 }  // namespace
 
-void NeighbourList::build(const FiberState& state, double range, std::vector<double> margin) {
-  margin_ = std::move(margin);
-  travel_.assign(margin_.size(), 0.0);
-  origin_ = state.position;
-  deformation_.setIdentity();
-  strain_ = 0;
-  range_ = range;
-  farthest_ = range_ + 2 * *std::max_element(margin_.begin(), margin_.end());
-
+double NeighbourList::name_fibers(const FiberState& state) {
   fiber_of_.resize(static_cast<std::size_t>(state.node_count()));
   double longest = 0;
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
@@ -38,9 +35,24 @@ void NeighbourList::build(const FiberState& state, double range, std::vector<dou
       longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
     }
   }
+  return longest;
+}
+
+void NeighbourList::build(const FiberState& state, double range, const std::vector<double>& margin) {
+  margin_.assign(margin.begin(), margin.end());
+  travel_.assign(margin_.size(), 0.0F);
+  origin_.assign(state.position.begin(), state.position.end());
+  deformation_.setIdentity();
+  strain_ = 0;
+  range_ = range;
+  farthest_ = range_ + 2 * *std::max_element(margin_.begin(), margin_.end());
+
+  const double longest = name_fibers(state);
   const double widest = (longest + farthest_) * (1 + 1e-5);
   grid_.fill(state, bin_share * widest, margin_);
-  rounding_ = single_rounding * (state.cell.lattice.cwiseAbs().rowwise().sum().maxCoeff() + widest);
+  // Of coordinates, and of places along nearly parallel rods.
+  rounding_ = single_rounding * (state.cell.lattice.cwiseAbs().rowwise().sum().maxCoeff() + widest +
+                                 longest * longest / range_);
   const Index bins = grid_.bin_count();
   chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
   parallel_for(static_cast<std::ptrdiff_t>(chunks_.size()), [&](std::ptrdiff_t c) {
@@ -52,7 +64,8 @@ void NeighbourList::build(const FiberState& state, double range, std::vector<dou
 
 void NeighbourList::carry(const Flow& flow, double step, std::span<const double> travelled) {
   const double share = strain_share(flow, step);
-  for (std::size_t r = 0; r < travel_.size(); ++r) travel_[r] += travelled[r] + share;
+  for (std::size_t r = 0; r < travel_.size(); ++r)
+    travel_[r] = (travel_[r] + round_up(travelled[r] + share)) * (1 + 2e-7F);
   Cell fluid;
   fluid.lattice = deformation_;
   deform(fluid, flow.gradient, step);
@@ -60,26 +73,44 @@ void NeighbourList::carry(const Flow& flow, double step, std::span<const double>
   strain_ += principal_rate(flow) * step;
 }
 
-bool NeighbourList::covers(const FiberState& state, const Flow& flow, double step,
-                           std::span<const double> ahead) const {
-  if (travel_.size() != static_cast<std::size_t>(state.node_count())) return false;
-  const double shrunk = std::exp(-strain_ - principal_rate(flow) * step);
-  std::vector<std::uint8_t> has_left(static_cast<std::size_t>(state.fiber_count()), 0);
+bool NeighbourList::look_ahead(const FiberState& state, const Flow& flow, double step) {
+  const auto nodes = static_cast<std::size_t>(state.node_count());
+  ahead_.resize(nodes);
+  reach_.resize(nodes);
+  has_left_.assign(static_cast<std::size_t>(state.fiber_count()), 0);
+  const bool is_listed = travel_.size() == nodes;
+  if (!is_listed) travel_.assign(nodes, 0.0F);
+  const double shrunk = is_listed ? std::exp(-strain_ - principal_rate(flow) * step) : 0.0;
+  const double share = strain_share(flow, step);
+  margin_.resize(nodes, 0.0);
+  origin_.resize(nodes, Vec3::Zero());
   parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
-    const Index fiber = static_cast<Index>(f);
-    double before = 0;
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      const double moved = (state.position[n] - deformation_ * origin_[n]).squaredNorm();
-      if (k > state.begin_node(fiber)) {
-        const double allowed = 0.5 * (shrunk * (range_ + 2 * margin_[n - 1]) - range_) - ahead[n - 1];
-        if (allowed <= 0 || std::max(moved, before) > allowed * allowed)
-          has_left[static_cast<std::size_t>(f)] = 1;
-      }
-      before = moved;
-    }
+    if (!look_ahead(state, static_cast<Index>(f), step, share, shrunk))
+      has_left_[static_cast<std::size_t>(f)] = 1;
   });
-  return std::find(has_left.begin(), has_left.end(), 1) == has_left.end();
+  return std::find(has_left_.begin(), has_left_.end(), 1) == has_left_.end();
+}
+
+bool NeighbourList::look_ahead(const FiberState& state, Index fiber, double step, double share,
+                               double shrunk) {
+  bool covers = true;
+  double moved_before = 0;
+  double speed_before = 0;
+  for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
+    const auto n = static_cast<std::size_t>(k);
+    const double moved = (state.position[n] - deformation_ * origin_[n]).squaredNorm();
+    const double speed = state.relative_velocity[n].norm();
+    if (k > state.begin_node(fiber)) {
+      const double ahead = step * std::max(speed, speed_before);
+      const double allowed = 0.5 * (shrunk * (range_ + 2 * margin_[n - 1]) - range_) - ahead;
+      covers = covers && allowed > 0 && std::max(moved, moved_before) <= allowed * allowed;
+      ahead_[n - 1] = round_up(ahead + share);
+      reach_[n - 1] = (travel_[n - 1] + ahead_[n - 1]) * (1 + 2e-7F);
+    }
+    moved_before = moved;
+    speed_before = speed;
+  }
+  return covers;
 }
 
 double NeighbourList::strain_share(const Flow& flow, double step) const {
@@ -88,7 +119,7 @@ double NeighbourList::strain_share(const Flow& flow, double step) const {
 
 std::size_t NeighbourList::pair_count() const {
   std::size_t count = 0;
-  for (const auto& chunk : chunks_) count += chunk.size();
+  for (const RodPairs& chunk : chunks_) count += static_cast<std::size_t>(chunk.size());
   return count;
 }
 

@@ -1,11 +1,9 @@
-// Culls pairs in single precision and measures the rest exactly.
+// Culls pairs of rods in single precision.
 #include "fibers/pair_collector.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-
-#include "fibers/rod_cull.hpp"
 
 namespace fiberfate {
 namespace {
@@ -16,64 +14,99 @@ bool is_later_image(const IntVec3& image) {
 
 }  // namespace
 
-void PairCollector::run(Index begin, Index end, std::vector<RodPair>& pairs) {
+void PairCollector::run(Index begin, Index end, RodPairs& pairs) {
   pairs.clear();
   pairs_ = &pairs;
   for (Index bin = begin; bin < end; ++bin) {
     const Index first = list_.grid_.first_entry(bin);
     const Index last = list_.grid_.first_entry(bin + 1);
     if (first == last) continue;
-    list_.grid_.runs_around(bin, widest_, runs_);
-    shifts_.clear();
-    for (const RodGrid::Run& run : runs_) shifts_.push_back(state_.cell.shift(run.shift));
-    for (Index entry = first; entry < last; ++entry) cull(entry);
+    list_.grid_.runs_ahead(bin, widest_, runs_);
+    std::size_t room = 0;
+    for (const RodGrid::Run& run : runs_) room += static_cast<std::size_t>(run.end - run.begin);
+    if (candidates_.size() < room + cull_overrun) {
+      candidates_.resize(2 * room + cull_overrun);
+      squared_distances_.resize(candidates_.size());
+    }
+    for (Index entry = first; entry < last; ++entry) collect(entry);
   }
-  if (count_ > 0) measure();
+  pairs.pad();
 }
 
-void PairCollector::cull(Index entry) {
+RodCull PairCollector::query_of(Index entry) const {
   const RodGrid& grid = list_.grid_;
   const auto e = static_cast<std::size_t>(entry);
-  const auto n = static_cast<std::size_t>(grid.rod[e]);
-  const Vec3 axis = (state_.position[n + 1] - state_.position[n]).normalized();
   RodCull query{};
-  query.ax = static_cast<float>(axis.x());
-  query.ay = static_cast<float>(axis.y());
-  query.az = static_cast<float>(axis.z());
+  query.ax = grid.axis_x[e];
+  query.ay = grid.axis_y[e];
+  query.az = grid.axis_z[e];
   query.half_length = grid.half_length[e];
-  query.keep = static_cast<float>(list_.range_ + list_.margin_[n] + list_.rounding_);
+  query.keep = static_cast<float>(list_.range_ + list_.margin_[static_cast<std::size_t>(grid.rod[e])] +
+                                  list_.rounding_);
   query.midpoint_x = grid.x.data();
   query.midpoint_y = grid.y.data();
   query.midpoint_z = grid.z.data();
+  query.axis_x = grid.axis_x.data();
+  query.axis_y = grid.axis_y.data();
+  query.axis_z = grid.axis_z.data();
   query.half_lengths = grid.half_length.data();
   query.margins = grid.margin_of.data();
-  for (std::size_t r = 0; r < runs_.size(); ++r) {
-    const RodGrid::Run& run = runs_[r];
-    query.x = grid.x[e] - static_cast<float>(shifts_[r].x());
-    query.y = grid.y[e] - static_cast<float>(shifts_[r].y());
-    query.z = grid.z[e] - static_cast<float>(shifts_[r].z());
-    found_.resize(std::max(found_.size(), static_cast<std::size_t>(run.end - run.begin) + RodGrid::padding));
-    const int near = cull_rods(query, run.begin, run.end, found_.data());
-    for (int i = 0; i < near; ++i) consider(entry, found_[static_cast<std::size_t>(i)], run.shift);
-  }
+  return query;
 }
 
-void PairCollector::consider(Index entry, Index other_entry, const IntVec3& shift) {
+/// Collects the pairs of one entry with those that come after it.
+void PairCollector::collect(Index entry) {
   const RodGrid& grid = list_.grid_;
-  const Index rod = grid.rod[static_cast<std::size_t>(entry)];
-  const Index other = grid.rod[static_cast<std::size_t>(other_entry)];
-  if (other < rod) return;
+  const auto e = static_cast<std::size_t>(entry);
+  RodCull query = query_of(entry);
+  IntVec3 shift = IntVec3::Zero();
+  count_ = 0;
+  const auto stand_at = [&](const IntVec3& image) {
+    const Vec3 apart = state_.cell.shift(image);
+    query.x = grid.x[e] - static_cast<float>(apart.x());
+    query.y = grid.y[e] - static_cast<float>(apart.y());
+    query.z = grid.z[e] - static_cast<float>(apart.z());
+  };
+  stand_at(shift);
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    if (runs_[r].shift != shift) {
+      measure(entry, query, shift);
+      shift = runs_[r].shift;
+      stand_at(shift);
+    }
+    // The first run begins with the entry's own bin, whose earlier entries have met this one.
+    const Index begin = r == 0 ? entry + 1 : runs_[r].begin;
+    count_ += cull_rods(query, begin, runs_[r].end, candidates_.data() + count_);
+  }
+  measure(entry, query, shift);
+}
+
+/// Measures the candidates found so far, which all stand in one image.
+void PairCollector::measure(Index entry, RodCull& query, const IntVec3& shift) {
+  if (count_ == 0) return;
+  const int near =
+      keep_near_rods(query, candidates_.data(), count_, candidates_.data(), squared_distances_.data());
+  for (int i = 0; i < near; ++i)
+    consider(entry, candidates_[static_cast<std::size_t>(i)], shift,
+             squared_distances_[static_cast<std::size_t>(i)]);
+  count_ = 0;
+}
+
+void PairCollector::consider(Index entry, Index other_entry, const IntVec3& shift, float squared_distance) {
+  const RodGrid& grid = list_.grid_;
   const auto& mine = grid.image[static_cast<std::size_t>(entry)];
   const auto& theirs = grid.image[static_cast<std::size_t>(other_entry)];
-  const IntVec3 image(mine[0] - theirs[0] + shift[0], mine[1] - theirs[1] + shift[1],
-                      mine[2] - theirs[2] + shift[2]);
-  if (other == rod && !is_later_image(image)) return;
+  Index rod = grid.rod[static_cast<std::size_t>(entry)];
+  Index other = grid.rod[static_cast<std::size_t>(other_entry)];
+  IntVec3 image(mine[0] - theirs[0] + shift[0], mine[1] - theirs[1] + shift[1],
+                mine[2] - theirs[2] + shift[2]);
+  if (other < rod || (other == rod && !is_later_image(image))) {
+    std::swap(rod, other);
+    image = -image;
+  }
   if (image.isZero() && is_own_neighbour(rod, other)) return;
-  add({rod,
-       other,
-       {static_cast<std::int8_t>(image[0]), static_cast<std::int8_t>(image[1]),
-        static_cast<std::int8_t>(image[2])},
-       0.0});
+  const double gap = std::sqrt(squared_distance) - list_.range_ - list_.rounding_;
+  pairs_->add(rod, other, pack_image(image), static_cast<float>(std::max(0.0, gap)));
 }
 
 bool PairCollector::is_own_neighbour(Index rod, Index other) const {
@@ -82,27 +115,6 @@ bool PairCollector::is_own_neighbour(Index rod, Index other) const {
   for (Index k = rod + 1; k < other && between < list_.range_; ++k)
     between += state_.rod_length[static_cast<std::size_t>(k)];
   return between < list_.range_;
-}
-
-void PairCollector::add(const RodPair& pair) {
-  candidate_[static_cast<std::size_t>(count_)] = pair;
-  block_.put(count_, state_, pair.first, pair.second, pair.image);
-  if (++count_ == SegmentBlock::capacity) measure();
-}
-
-void PairCollector::measure() {
-  block_.fill_up(count_);
-  find_segment_distances(block_, count_);
-  for (int i = 0; i < count_; ++i) {
-    RodPair pair = candidate_[static_cast<std::size_t>(i)];
-    const double margins = list_.margin_[static_cast<std::size_t>(pair.first)] +
-                           list_.margin_[static_cast<std::size_t>(pair.second)];
-    const double gap = block_.distance[i] - list_.range_;
-    if (gap > margins) continue;
-    pair.wake = std::max(0.0, gap);
-    pairs_->push_back(pair);
-  }
-  count_ = 0;
 }
 
 }  // namespace fiberfate

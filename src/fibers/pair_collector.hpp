@@ -4,35 +4,33 @@
 #include <vector>
 
 #include "fibers/neighbour_list.hpp"
-#include "fibers/segment_block.hpp"
+#include "fibers/rod_cull.hpp"
 
 namespace fiberfate {
 
-/// Finds the pairs whose first entry lies in the bins [begin, end) of the grid: cull there, then exact
-/// distances.
+/// Finds the pairs whose first entry lies in the bins [begin, end) of the grid: midpoints are culled against
+/// the rod, then the rods against each other, both in single precision and never too many.
 class PairCollector {
  public:
   PairCollector(const FiberState& state, const NeighbourList& list, double widest)
       : state_(state), list_(list), widest_(widest) {}
 
-  void run(Index begin, Index end, std::vector<RodPair>& pairs);
+  void run(Index begin, Index end, RodPairs& pairs);
 
  private:
-  void cull(Index entry);
-  void consider(Index entry, Index other_entry, const IntVec3& shift);
-  void add(const RodPair& pair);
-  void measure();
+  void collect(Index entry);
+  void measure(Index entry, RodCull& query, const IntVec3& shift);
+  void consider(Index entry, Index other_entry, const IntVec3& shift, float squared_distance);
+  [[nodiscard]] RodCull query_of(Index entry) const;
   [[nodiscard]] bool is_own_neighbour(Index rod, Index other) const;
 
   const FiberState& state_;
   const NeighbourList& list_;
   double widest_;
-  std::vector<RodPair>* pairs_ = nullptr;
+  RodPairs* pairs_ = nullptr;
   std::vector<RodGrid::Run> runs_;
-  std::vector<Vec3> shifts_;  // of the runs, m
-  std::vector<Index> found_;
-  SegmentBlock block_;
-  std::array<RodPair, SegmentBlock::capacity> candidate_{};
+  std::vector<Index> candidates_;
+  std::vector<float> squared_distances_;
   int count_ = 0;
 };
 

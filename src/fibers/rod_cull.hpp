@@ -15,13 +15,24 @@ struct RodCull {
   const float* midpoint_x;  ///< of the grid
   const float* midpoint_y;
   const float* midpoint_z;
+  const float* axis_x;
+  const float* axis_y;
+  const float* axis_z;
   const float* half_lengths;
   const float* margins;
 };
 
+/// Entries beyond the last one that the kernels below may write.
+inline constexpr Index cull_overrun = 16;
+
 /// Writes the entries in [begin, end) whose midpoint lies within keep + margin + half length of the rod's
 /// segment, and returns how many; no pair of rods nearer than keep + margin is missed. `found` has room for
-/// end − begin + 16.
+/// end − begin + cull_overrun.
 int cull_rods(const RodCull& query, Index begin, Index end, Index* found);
+
+/// Keeps, of `count` entries, those whose segment lies within keep + margin of the rod's segment; writes
+/// them and their squared distances (m²), and returns how many. All arrays have room for count +
+/// cull_overrun; `entries` and `found` may be the same.
+int keep_near_rods(const RodCull& query, Index* entries, int count, Index* found, float* squared_distance);
 
 }  // namespace fiberfate

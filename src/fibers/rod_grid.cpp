@@ -23,15 +23,6 @@ WrappedBin wrap(int bin, int bins) {
   return {bin - turns * bins, turns};
 }
 
-/// Holds a rod before it is sorted.
-struct BinnedRod {
-  Vec3 midpoint;
-  IntVec3 image;
-  double half_length;
-  Index rod;
-  Index bin;
-};
-
 }  // namespace
 
 void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<double>& margin) {
@@ -43,40 +34,70 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
     bins_[i] = std::max(1, static_cast<int>(std::min(std::floor(height_[i] / bin_width), most)));
   }
 
-  const auto rods = static_cast<std::size_t>(state.rod_count());
-  std::vector<BinnedRod> unsorted(rods);
+  bin_rods(state);
+  sort_bins();
+  const std::size_t rods = unsorted_.size();
+  for (auto* array : {&x, &y, &z, &axis_x, &axis_y, &axis_z, &half_length, &margin_of})
+    array->resize(rods + padding, 0.0F);
+  rod.resize(rods);
+  image.resize(rods);
+  parallel_for(static_cast<std::ptrdiff_t>(rods), [&](std::ptrdiff_t i) {
+    const BinnedRod& one = unsorted_[static_cast<std::size_t>(i)];
+    const auto e = static_cast<std::size_t>(place_[static_cast<std::size_t>(i)]);
+    x[e] = one.midpoint[0];
+    y[e] = one.midpoint[1];
+    z[e] = one.midpoint[2];
+    axis_x[e] = one.axis[0];
+    axis_y[e] = one.axis[1];
+    axis_z[e] = one.axis[2];
+    half_length[e] = one.half_length;
+    margin_of[e] = static_cast<float>(margin[static_cast<std::size_t>(one.rod)]);
+    rod[e] = one.rod;
+    image[e] = one.image;
+  });
+}
+
+void RodGrid::bin_rods(const FiberState& state) {
+  unsorted_.resize(static_cast<std::size_t>(state.rod_count()));
   parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
     for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
       const auto n = static_cast<std::size_t>(k);
       const Vec3 midpoint = 0.5 * (state.position[n] + state.position[n + 1]);
-      const IntVec3 in_image = image_of(state.cell, midpoint);
-      const Vec3 wrapped = midpoint - state.cell.shift(in_image);
-      const double half = 0.5 * (state.position[n + 1] - state.position[n]).norm();
-      unsorted[static_cast<std::size_t>(k - fiber)] = {wrapped, in_image, half, k,
-                                                       static_cast<Index>(bin_index(bin_at(wrapped)))};
+      const Vec3 axis = state.position[n + 1] - state.position[n];
+      const double length = axis.norm();
+      const Vec3 fraction = to_fraction_ * midpoint;
+      Vec3 wrapped = midpoint;
+      BinnedRod one{};
+      for (int i = 0; i < 3; ++i) {
+        if (boundary_[static_cast<std::size_t>(i)] != Boundary::periodic) continue;
+        const double turns = std::floor(fraction[i]);
+        one.image[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(turns);
+        wrapped -= turns * state.cell.lattice.col(i);
+      }
+      for (int i = 0; i < 3; ++i) {
+        one.midpoint[static_cast<std::size_t>(i)] = static_cast<float>(wrapped[i]);
+        one.axis[static_cast<std::size_t>(i)] = static_cast<float>(axis[i] / length);
+      }
+      one.half_length = static_cast<float>(0.5 * length);
+      one.rod = k;
+      one.bin = static_cast<Index>(bin_index(bin_at(wrapped)));
+      unsorted_[static_cast<std::size_t>(k - fiber)] = one;
     }
   });
+}
 
+/// Finds every rod's place: by bin, then by rod.
+void RodGrid::sort_bins() {
   begin_.assign(static_cast<std::size_t>(bins_[0]) * static_cast<std::size_t>(bins_[1] * bins_[2]) + 1, 0);
-  for (const BinnedRod& one : unsorted) ++begin_[static_cast<std::size_t>(one.bin) + 1];
-  for (std::size_t b = 1; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
-  std::vector<Index> next(begin_.begin(), begin_.end() - 1);
-  for (auto* array : {&x, &y, &z, &half_length, &margin_of}) array->resize(rods + padding, 0.0F);
-  rod.resize(rods);
-  image.resize(rods);
-  for (const BinnedRod& one : unsorted) {
-    const Index place = next[static_cast<std::size_t>(one.bin)]++;
-    const auto e = static_cast<std::size_t>(place);
-    x[e] = static_cast<float>(one.midpoint.x());
-    y[e] = static_cast<float>(one.midpoint.y());
-    z[e] = static_cast<float>(one.midpoint.z());
-    half_length[e] = static_cast<float>(one.half_length);
-    margin_of[e] = static_cast<float>(margin[static_cast<std::size_t>(one.rod)]);
-    rod[e] = one.rod;
-    for (std::size_t i = 0; i < 3; ++i)
-      image[e][i] = static_cast<std::int16_t>(one.image[static_cast<int>(i)]);
-  }
+  place_.resize(unsorted_.size());
+  // A bin's first entry is counted two bins further on, so that, advanced in placing, it ends up in place.
+  begin_.push_back(0);
+  for (const BinnedRod& one : unsorted_) ++begin_[static_cast<std::size_t>(one.bin) + 2];
+  for (std::size_t b = 2; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
+  for (std::size_t i = 0; i < unsorted_.size(); ++i)
+    place_[i] = begin_[static_cast<std::size_t>(unsorted_[i].bin) + 1]++;
+  begin_.pop_back();
 }
 
 std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
@@ -89,40 +110,55 @@ std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
   return bin;
 }
 
-void RodGrid::runs_around(Index bin, double reach, std::vector<Run>& runs) const {
-  runs.clear();
-  const std::array<int, 3> centre = {bin / (bins_[1] * bins_[2]), bin / bins_[2] % bins_[1], bin % bins_[2]};
-  std::array<int, 3> low{};
-  std::array<int, 3> high{};
+RodGrid::Block RodGrid::block_around(Index bin, double reach) const {
+  Block block;
+  block.centre = {bin / (bins_[1] * bins_[2]), bin / bins_[2] % bins_[1], bin % bins_[2]};
   for (std::size_t i = 0; i < 3; ++i) {
     const int span = static_cast<int>(std::ceil(reach * bins_[i] / height_[i]));
-    low[i] = centre[i] - span;
-    high[i] = centre[i] + span;
+    block.low[i] = block.centre[i] - span;
+    block.high[i] = block.centre[i] + span;
     if (boundary_[i] == Boundary::periodic) continue;
-    low[i] = std::max(low[i], 0);
-    high[i] = std::min(high[i], bins_[i] - 1);
+    block.low[i] = std::max(block.low[i], 0);
+    block.high[i] = std::min(block.high[i], bins_[i] - 1);
   }
-  for (int i = low[0]; i <= high[0]; ++i) {
-    for (int j = low[1]; j <= high[1]; ++j) {
-      const WrappedBin first = wrap(i, bins_[0]);
-      const WrappedBin second = wrap(j, bins_[1]);
-      add_row({first.bin, second.bin, low[2]}, high[2] - low[2] + 1, {first.turns, second.turns, 0}, runs);
-    }
+  return block;
+}
+
+void RodGrid::runs_around(Index bin, double reach, std::vector<Run>& runs) const {
+  runs.clear();
+  const Block block = block_around(bin, reach);
+  for (int i = block.low[0]; i <= block.high[0]; ++i) {
+    for (int j = block.low[1]; j <= block.high[1]; ++j) add_row(block, i, j, runs);
   }
 }
 
-void RodGrid::add_row(const std::array<int, 3>& from, int count, IntVec3 shift,
-                      std::vector<Run>& runs) const {
-  int third = from[2];
-  while (count > 0) {
+void RodGrid::runs_ahead(Index bin, double reach, std::vector<Run>& runs) const {
+  runs.clear();
+  Block block = block_around(bin, reach);
+  const int low = block.low[2];
+  block.low[2] = block.centre[2];
+  add_row(block, block.centre[0], block.centre[1], runs);
+  block.low[2] = low;
+  for (int j = block.centre[1] + 1; j <= block.high[1]; ++j) add_row(block, block.centre[0], j, runs);
+  for (int i = block.centre[0] + 1; i <= block.high[0]; ++i) {
+    for (int j = block.low[1]; j <= block.high[1]; ++j) add_row(block, i, j, runs);
+  }
+}
+
+/// Adds the runs of the bins (i, j, low to high) of a block, split where they wrap around the cell.
+void RodGrid::add_row(const Block& block, int i, int j, std::vector<Run>& runs) const {
+  const WrappedBin first = wrap(i, bins_[0]);
+  const WrappedBin second = wrap(j, bins_[1]);
+  int third = block.low[2];
+  while (third <= block.high[2]) {
     const WrappedBin wrapped = wrap(third, bins_[2]);
-    const int length = std::min(count, bins_[2] - wrapped.bin);
-    const std::size_t first = bin_index({from[0], from[1], wrapped.bin});
-    shift[2] = wrapped.turns;
-    const Run run{begin_[first], begin_[first + static_cast<std::size_t>(length)], shift};
+    const int length = std::min(block.high[2] - third + 1, bins_[2] - wrapped.bin);
+    const std::size_t from = bin_index({first.bin, second.bin, wrapped.bin});
+    const Run run{begin_[from],
+                  begin_[from + static_cast<std::size_t>(length)],
+                  {first.turns, second.turns, wrapped.turns}};
     if (run.end > run.begin) runs.push_back(run);
     third += length;
-    count -= length;
   }
 }
 

@@ -30,29 +30,52 @@ class RodGrid {
   /// Lists the runs that hold every midpoint within `reach` (m) of a midpoint in the given bin.
   void runs_around(Index bin, double reach, std::vector<Run>& runs) const;
 
+  /// Lists the half of those runs that comes after the bin, beginning with the bin itself: over all bins,
+  /// every two bins (images told apart) meet once.
+  void runs_ahead(Index bin, double reach, std::vector<Run>& runs) const;
+
   [[nodiscard]] Index bin_count() const { return static_cast<Index>(begin_.size()) - 1; }
   /// Tells the first entry of a bin; its last one comes before the next bin's first.
   [[nodiscard]] Index first_entry(Index bin) const { return begin_[static_cast<std::size_t>(bin)]; }
 
   // One entry a rod, sorted by bin, then by rod.
   std::vector<float> x, y, z;                      ///< midpoint, wrapped into the cell, m
+  std::vector<float> axis_x, axis_y, axis_z;       ///< unit vector along the rod
   std::vector<float> half_length;                  ///< m
   std::vector<float> margin_of;                    ///< m
   std::vector<Index> rod;                          ///< number of the rod
   std::vector<std::array<std::int16_t, 3>> image;  ///< the cell image that the unwrapped midpoint lies in
 
  private:
+  /// Holds a rod before it is sorted.
+  struct BinnedRod {
+    std::array<float, 3> midpoint, axis;
+    float half_length;
+    std::array<std::int16_t, 3> image;
+    Index rod;
+    Index bin;
+  };
+  /// Bounds the bins, counted without wrapping, that may hold a midpoint near one in a bin.
+  struct Block {
+    std::array<int, 3> centre, low, high;
+  };
+
+  void bin_rods(const FiberState& state);
+  void sort_bins();
+  [[nodiscard]] Block block_around(Index bin, double reach) const;
+  void add_row(const Block& block, int i, int j, std::vector<Run>& runs) const;
   [[nodiscard]] std::array<int, 3> bin_at(const Vec3& midpoint) const;
   [[nodiscard]] std::size_t bin_index(const std::array<int, 3>& bin) const {
     return static_cast<std::size_t>((bin[0] * bins_[1] + bin[1]) * bins_[2] + bin[2]);
   }
-  void add_row(const std::array<int, 3>& from, int count, IntVec3 shift, std::vector<Run>& runs) const;
 
   std::array<int, 3> bins_ = {1, 1, 1};
   std::array<double, 3> height_ = {1, 1, 1};
   std::array<Boundary, 3> boundary_{};
   Mat3 to_fraction_ = Mat3::Identity();
   std::vector<Index> begin_;  // of each bin in the entries
+  std::vector<BinnedRod> unsorted_;
+  std::vector<Index> place_;  // of the unsorted rods in the entries
 };
 
 }  // namespace fiberfate

@@ -1,10 +1,9 @@
-// Holds pairs of rods side by side for the vectorised search of closest points.
+// Finds the closest points of many listed pairs of rods at once.
 #pragma once
 
 #include <array>
-#include <cstdint>
 
-#include "base/vector.hpp"
+#include "fibers/rod_pairs.hpp"
 
 namespace fiberfate {
 
@@ -14,27 +13,38 @@ struct FiberState;
 /// closest to round-off, and the middle of the overlap is taken.
 inline constexpr double parallel_sine2 = 1e-12;
 
-/// Holds up to `capacity` pairs: rod 1 from x1 to x1 + first, rod 2 from x2 to x2 + second, offset = x1 − x2.
+/// Receives the closest points of up to `capacity` pairs. Plain doubles, because kernels of several
+/// instruction sets share it.
 struct SegmentBlock {
   static constexpr int capacity = 64;
-  static constexpr int lanes = 8;
-  alignas(64) double offset[3][capacity];
-  alignas(64) double first[3][capacity];
-  alignas(64) double second[3][capacity];
   alignas(64) double s[capacity];
   alignas(64) double t[capacity];
   alignas(64) double separation[3][capacity];  ///< from the second rod to the first, m
   alignas(64) double distance[capacity];       ///< m
-
-  /// Puts two rods of a state into a place, the second one in the given image.
-  void put(int place, const FiberState& state, Index first_rod, Index second_rod,
-           const std::array<std::int8_t, 3>& image);
-  /// Repeats the first pair up to the next multiple of `lanes`, because pairs are worked on in whole packs.
-  void fill_up(int count);
+  alignas(64) float wake[capacity];            ///< new value of RodPairs::wake, m
+  std::uint8_t near[capacity / 8];  ///< bits of the pairs that may come within range in the coming step
 };
 
-/// Fills s, t, separation and distance of the first `count` pairs (rounded up to whole packs), with the
-/// kernel of this processor; closest_points() is its specification.
-void find_segment_distances(SegmentBlock& block, int count);
+/// Names pairs to be measured: entries of the arrays of RodPairs, and where their rods are.
+struct SegmentQuery {
+  const Index* first;
+  const Index* second;
+  const std::int32_t* image;
+  const double* position;  ///< of the nodes, three doubles each
+  const double* lattice;   ///< by columns
+  const float* travel;     ///< of every rod (NeighbourList::travel), m
+  const float* ahead;      ///< of every rod (NeighbourList::ahead), m
+  double range;            ///< m
+};
+
+/// Finds s, t, separation, distance, wake and nearness of the pairs numbered which[0 … count), count <=
+/// capacity, with the kernel of this processor; closest_points() is its specification. `which` is padded to a
+/// multiple of eight.
+void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block);
+
+/// Writes the numbers of those of `count` pairs whose rods may have come near, reach[first] + reach[second]
+/// >= wake, and returns how many. Arrays of pairs are padded to a multiple of sixteen; `awake` has room for
+/// count + 16.
+int find_awake_pairs(const RodPairs& pairs, const float* reach, Index* awake);
 
 }  // namespace fiberfate

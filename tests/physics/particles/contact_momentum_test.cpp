@@ -83,8 +83,8 @@ TEST(ContactMomentum, BalancesWithFrictionUpToItsCouple) {
   EXPECT_LT(sum.torque.norm(), 2 * scenes::glass.radius * 0.3 * sum.force_scale);
 }
 
-// The loads themselves: at the velocities about which they are linearised, action equals reaction bit by bit.
-TEST(ContactMomentum, ActionEqualsReaction) {
+// The force of a contact, which the kernel evaluates in packs, is that of the laws.
+TEST(ContactMomentum, ForceObeysTheLaws) {
   FiberState state = overlapping_fibers();
   for (std::size_t k = 0; k < state.position.size(); ++k)
     state.relative_velocity[k] =
@@ -101,22 +101,31 @@ TEST(ContactMomentum, ActionEqualsReaction) {
   contact.t = closest.t;
   contact.normal = closest.separation / closest.distance;
   contact.distance = closest.distance;
-  const std::vector<Contact> contacts = {contact};
+  ContactSet contacts(1);
+  contacts[0].reserve(1);
+  contacts[0].add(contact);
   loads.arrange(contacts, state);
   loads.evaluate(contacts, {state.relative_velocity, simple_shear(10, 200), 1e-5});
-  const auto force = [&](Index rod) -> Vec3 {
-    const RodLoad& load = loads.loads().of_rod(rod)[0];
+  ASSERT_EQ(loads.pairs().forces().size(), 1u);
+  // The force is stored once, so that reaction is its negative; it must be what the laws give.
+  const PairForce& force = loads.pairs().forces()[0];
+  EXPECT_EQ(force.first, 1);
+  EXPECT_EQ(force.second, 5);
+  const auto velocity = [&](Index rod, double place) -> Vec3 {
     const auto n = std::size_t(rod);
-    const Vec3 w =
-        (1 - load.lever) * state.relative_velocity[n] + load.lever * state.relative_velocity[n + 1];
-    const auto& r = load.resistance;
-    return load.force - Vec3(r[0] * w.x() + r[5] * w.y() + r[4] * w.z(),
-                             r[5] * w.x() + r[1] * w.y() + r[3] * w.z(),
-                             r[4] * w.x() + r[3] * w.y() + r[2] * w.z());
+    return (1 - place) * state.relative_velocity[n] + place * state.relative_velocity[n + 1];
   };
-  const double scale = loads.loads().of_rod(1)[0].force.norm();
-  EXPECT_GT(force(1).norm(), 1e-3);
-  EXPECT_LT((force(1) + force(5)).norm(), 1e-14 * scale);
+  const Vec3& n = contact.normal;
+  const Vec3 relative = velocity(1, contact.s) - velocity(5, contact.t) +
+                        contact.distance * (simple_shear(10, 200).gradient * n);
+  const double approach = n.dot(relative);
+  const Vec3 slip = relative - approach * n;
+  const double normal = NormalForce(parameters, scenes::glass.radius)(contact.distance + 1e-5 * approach);
+  const Vec3 expected =
+      normal * n - Friction{parameters.friction, parameters.slip_velocity}(normal, slip.squaredNorm()) * slip;
+  EXPECT_GT(expected.norm(), 1e-3);
+  EXPECT_LT((Vec3(force.force[0], force.force[1], force.force[2]) - expected).norm(),
+            1e-13 * expected.norm());
 }
 
 }  // namespace

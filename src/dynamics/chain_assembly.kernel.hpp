@@ -1,0 +1,209 @@
+// Assembles drag and bending of eight fibers side by side; ElasticHinge is the specification of bending.
+#include "base/simd_rows.hpp"
+#include "dynamics/chain_assembly.hpp"
+#include "dynamics/chain_system.hpp"
+
+namespace fiberfate::FIBERFATE_ISA {
+
+namespace {
+
+#define FIBERFATE_INLINE static inline __attribute__((always_inline))
+
+using System = ChainSystem;
+
+FIBERFATE_INLINE double* part(double* record, int component) {
+  return record + component * lanes;
+}
+FIBERFATE_INLINE void add_to(double* to, const Pack& value) {
+  store(to, load(to) + value);
+}
+FIBERFATE_INLINE void add_isotropic(double* record, int component, const Pack& value) {
+  for (int c = 0; c < 3; ++c) add_to(part(record, component + c), value);
+}
+FIBERFATE_INLINE void add_triple(double* record, int component, const Triple& v) {
+  add_to(part(record, component), v.x);
+  add_to(part(record, component + 1), v.y);
+  add_to(part(record, component + 2), v.z);
+}
+FIBERFATE_INLINE void add_dyad(double* record, int component, const Pack& f, const Triple& p) {
+  add_to(part(record, component), f * p.x * p.x);
+  add_to(part(record, component + 1), f * p.y * p.y);
+  add_to(part(record, component + 2), f * p.z * p.z);
+  add_to(part(record, component + 3), f * p.y * p.z);
+  add_to(part(record, component + 4), f * p.z * p.x);
+  add_to(part(record, component + 5), f * p.x * p.y);
+}
+
+/// Reads eight fibers; lanes whose fiber has ended repeat its last node or rod.
+struct Reader {
+  const ChainGroup& group;
+
+  FIBERFATE_INLINE long place(const ChainGroup& group, int lane, int k, int last) {
+    return group.first[lane] + (k < last ? k : last);
+  }
+  inline __attribute__((always_inline)) Triple vectors(const double* from, int k) const {
+    const double* rows[lanes];
+    for (int lane = 0; lane < lanes; ++lane) rows[lane] = from + 3 * place(group, lane, k, group.rods[lane]);
+    return read_triples(rows);
+  }
+  /// Reads number `which` of a rod's record of `stride` numbers.
+  inline __attribute__((always_inline)) Pack rods(const double* from, int stride, int which, int k) const {
+    const IndexPack last = load_indices(group.rods) - 1;
+    const IndexPack rod = load_indices(group.first) + (last < k ? last : IndexPack{} + k);
+    return gather(from + which, rod * stride);
+  }
+  /// Sets the lanes whose fiber has more than k rods.
+  inline __attribute__((always_inline)) Mask has_rod(int k) const {
+    return __builtin_convertvector(load_indices(group.used) > k, Mask);
+  }
+};
+
+/// arcsin(h)/h for y = h² in [0, 1]: the rational approximation of the C library (Sun fdlibm, e_asin.c) up to
+/// h = 1/2, beyond by arcsin(h) = pi/2 − 2 arcsin sqrt((1 − h)/2).
+FIBERFATE_INLINE Pack arcsine_ratio_below_half(const Pack& y) {
+  const Pack p = y * (1.66666666666666657415e-01 +
+                      y * (-3.25565818622400915405e-01 +
+                           y * (2.01212532134862925881e-01 +
+                                y * (-4.00555345006794114027e-02 +
+                                     y * (7.91534994289814532176e-04 + y * 3.47933107596021167570e-05)))));
+  const Pack q = 1.0 + y * (-2.40339491173441421878e+00 +
+                            y * (2.02094576023350569471e+00 +
+                                 y * (-6.88283971605453293030e-01 + y * 7.70381505559019352791e-02)));
+  return 1.0 + p / q;
+}
+FIBERFATE_INLINE Pack arcsine_ratio(const Pack& y) {
+  const Mask sharp = y > 0.25;
+  if (to_bits(sharp) == 0) return arcsine_ratio_below_half(y);
+  const Pack h = square_root(y);
+  const Pack z = 0.5 * (1.0 - h);
+  const Pack ratio = arcsine_ratio_below_half(choose(sharp, z, y));
+  const Pack folded = (1.57079632679489661923 - 2.0 * square_root(z) * ratio) / h;
+  return choose(sharp, folded, ratio);
+}
+
+/// Holds what a rod adds to the records of its two nodes.
+struct RodPart {
+  Pack diagonal, coupling, excess, stretch, regular;
+  Triple direction, couple;
+};
+
+FIBERFATE_INLINE RodPart rod_part(const AssemblyQuery& query, const Reader& read, int k, const Triple& axis) {
+  const Mask there = read.has_rod(k);
+  const Pack zero = broadcast(0);
+  const Pack length = read.rods(query.rod_length, 1, 0, k);
+  const Pack perpendicular = query.viscosity * read.rods(query.unit_drag, 4, 1, k);
+  const Pack parallel =
+      query.is_anisotropic ? query.viscosity * read.rods(query.unit_drag, 4, 0, k) : perpendicular;
+  const Pack turning = query.viscosity * read.rods(query.unit_drag, 4, 2, k);
+  const Pack shape = read.rods(query.unit_drag, 4, 3, k);
+  const Triple p = choose(there, 1.0 / square_root(dot(axis, axis)), zero) * axis;
+  const Triple strain = transform(query.strain_rate, p);
+  const Pack translation = 0.25 * perpendicular;
+  const Pack inverse = 1.0 / length;
+  const Pack rotation = turning * inverse * inverse;
+  // Couple of the strain on the rod's thickness; the rest of kappa·p moves with w.
+  return {choose(there, translation + rotation, zero),
+          choose(there, translation - rotation, zero),
+          choose(there, 0.25 * (parallel - perpendicular), zero),
+          -length * dot(p, strain),
+          choose(there, zero, broadcast(-1)),
+          p,
+          (turning * (1.0 - shape) * inverse) * strain};
+}
+
+FIBERFATE_INLINE void store_node(double* record, const RodPart& before, const RodPart& after,
+                                 const Pack& own) {
+  const Pack zero = broadcast(0);
+  const Pack diagonal = before.diagonal + after.diagonal + own;
+  const Triple load_here = after.couple - before.couple;
+  const Pack values[System::size] = {diagonal,
+                                     diagonal,
+                                     diagonal,
+                                     zero,
+                                     zero,
+                                     zero,
+                                     after.coupling,
+                                     after.coupling,
+                                     after.coupling,
+                                     zero,
+                                     zero,
+                                     zero,
+                                     zero,
+                                     load_here.x,
+                                     load_here.y,
+                                     load_here.z,
+                                     after.direction.x,
+                                     after.direction.y,
+                                     after.direction.z,
+                                     after.stretch,
+                                     after.regular};
+  for (int c = 0; c < System::size; ++c) store(part(record, c), values[c]);
+}
+
+FIBERFATE_INLINE void add_excess(double* record, const RodPart& before, const RodPart& after) {
+  add_dyad(record, System::diagonal, before.excess, before.direction);
+  add_dyad(record, System::diagonal, after.excess, after.direction);
+  add_dyad(record, System::coupling, after.excess, after.direction);
+}
+
+/// Adds the hinge between the rods k − 1 and k to the records of its three nodes.
+FIBERFATE_INLINE void add_hinge(const AssemblyQuery& query, const Reader& read, const Pack& bending, int k,
+                                const Triple* x, const Pack* inverse_length) {
+  const Mask there = read.has_rod(k);
+  const Pack before = inverse_length[0];
+  const Pack after = inverse_length[1];
+  const Pack gamma[3] = {before, -before - after, after};
+  const Triple turn = before * (x[0] - x[1]) + after * (x[2] - x[1]);
+  const Pack y = smaller(0.25 * dot(turn, turn), broadcast(0.999 * 0.999));
+  const Pack ratio = arcsine_ratio(y) / square_root(1.0 - y);
+  const Pack stiffness =
+      choose(there, bending * 2.0 * before * after / (before + after) * ratio, broadcast(0));
+  const Pack implicit = query.step * stiffness;
+  const Triple carried = turn + broadcast(query.step) * transform(query.gradient, turn);
+  double* record = query.records + static_cast<long>(k - 1) * System::size * lanes;
+  for (int j = 0; j < 3; ++j) {
+    double* node = record + static_cast<long>(j) * System::size * lanes;
+    add_triple(node, System::load, (-stiffness * gamma[j]) * carried);
+    add_isotropic(node, System::diagonal, implicit * gamma[j] * gamma[j]);
+  }
+  add_isotropic(record, System::coupling, implicit * gamma[0] * gamma[1]);
+  add_isotropic(record + System::size * lanes, System::coupling, implicit * gamma[1] * gamma[2]);
+  add_to(part(record, System::second), implicit * gamma[0] * gamma[2]);
+}
+
+}  // namespace
+
+void assemble_chains(const AssemblyQuery& query, const ChainGroup& group) {
+  const Reader read{group};
+  const Pack zero = broadcast(0);
+  const Triple none = {zero, zero, zero};
+  RodPart before = {zero, zero, zero, zero, zero, none, none};
+  Triple here = read.vectors(query.geometry, 0);
+  for (int k = 0; k < group.nodes; ++k) {
+    const Triple next = read.vectors(query.geometry, k + 1);
+    const RodPart after = rod_part(query, read, k, next - here);
+    // A node beyond the fiber's own becomes an identity.
+    const Pack own = k == 0 ? choose(read.has_rod(0), zero, broadcast(1))
+                            : choose(read.has_rod(k - 1), zero, broadcast(1));
+    double* record = query.records + static_cast<long>(k) * System::size * lanes;
+    store_node(record, before, after, own);
+    if (query.is_anisotropic) add_excess(record, before, after);
+    before = after;
+    here = next;
+  }
+  const Pack bending = load(group.bending_stiffness);
+  Triple x[3] = {none, read.vectors(query.position, 0), read.vectors(query.position, 1)};
+  Pack inverse_length[2] = {zero, 1.0 / read.rods(query.rod_length, 1, 0, 0)};
+  for (int k = 1; k + 1 < group.nodes; ++k) {
+    x[0] = x[1];
+    x[1] = x[2];
+    x[2] = read.vectors(query.position, k + 1);
+    inverse_length[0] = inverse_length[1];
+    inverse_length[1] = 1.0 / read.rods(query.rod_length, 1, 0, k);
+    add_hinge(query, read, bending, k, x, inverse_length);
+  }
+}
+
+#undef FIBERFATE_INLINE
+
+}  // namespace fiberfate::FIBERFATE_ISA

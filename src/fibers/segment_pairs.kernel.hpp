@@ -1,0 +1,99 @@
+// Filters and measures listed pairs of rods; closest_points() is the specification of the distances.
+#include "base/simd_rows.hpp"
+#include "fibers/segment_block.hpp"
+
+namespace fiberfate::FIBERFATE_ISA {
+
+namespace {
+
+/// Displacements of the images in which the second rods stand, m.
+static inline __attribute__((always_inline)) Triple shifts_of(const SegmentQuery& query, const Index* which) {
+  alignas(64) double turns[3][lanes];
+  for (int i = 0; i < lanes; ++i) {
+    const auto packed = static_cast<std::uint32_t>(query.image[which[i]]);
+    for (int d = 0; d < 3; ++d) turns[d][i] = static_cast<std::int8_t>(packed >> (8 * d));
+  }
+  return transform(query.lattice, {load(turns[0]), load(turns[1]), load(turns[2])});
+}
+
+}  // namespace
+
+int find_awake_pairs(const Index* first, const Index* second, const float* wake, int count,
+                     const float* reach, Index* awake) {
+  int found = 0;
+  alignas(64) Index numbers[float_lanes];
+  for (int i = 0; i < count; i += float_lanes) {
+    const Floats together = gather(reach, first + i) + gather(reach, second + i);
+    const std::uint32_t bits = to_bits(together >= read_floats(wake + i));
+    if (bits == 0) continue;
+    for (int lane = 0; lane < float_lanes; ++lane) numbers[lane] = i + lane;
+    found += write_selected(awake + found, numbers, bits);
+  }
+  return found;
+}
+
+void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block) {
+  const Pack zero = broadcast(0);
+  for (int i = 0; i < count; i += lanes) {
+    const double* begin[lanes];
+    const double* other_begin[lanes];
+    const double* end[lanes];
+    const double* other_end[lanes];
+    alignas(32) Index first[lanes];
+    alignas(32) Index second[lanes];
+    std::int32_t images = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const Index pair = which[i + lane];
+      first[lane] = query.first[pair];
+      second[lane] = query.second[pair];
+      begin[lane] = query.position + 3 * static_cast<long>(first[lane]);
+      other_begin[lane] = query.position + 3 * static_cast<long>(second[lane]);
+      end[lane] = begin[lane] + 3;
+      other_end[lane] = other_begin[lane] + 3;
+      images |= query.image[pair];
+    }
+    const Triple x = read_triples(begin);
+    const Triple y = read_triples(other_begin);
+    const Triple u = read_triples(end) - x;
+    const Triple v = read_triples(other_end) - y;
+    Triple r = x - y;
+    if (images != 0) r = r - shifts_of(query, which + i);
+    const Pack uu = dot(u, u);
+    const Pack vv = dot(v, v);
+    const Pack uv = dot(u, v);
+    const Pack ur = dot(u, r);
+    const Pack vr = dot(v, r);
+    const Pack sine2 = uu * vv - uv * uv;
+    const Mask parallel = sine2 <= parallel_sine2 * uu * vv;
+    const Pack per_uu = 1.0 / uu;
+
+    // Lines that cross at an angle: the optimum of both lines, clamped to the first segment.
+    const Pack skew = clamp((uv * vr - ur * vv) / choose(parallel, broadcast(1), sine2), 0, 1);
+    // Parallel lines: the middle of the stretch of the first segment that lies alongside the second.
+    const Pack at_begin = clamp(-ur * per_uu, 0, 1);
+    const Pack at_end = clamp((uv - ur) * per_uu, 0, 1);
+    Pack s = choose(parallel, 0.5 * (at_begin + at_end), skew);
+    const Pack t = clamp((uv * s + vr) / vv, 0, 1);
+    s = choose(parallel, s, clamp((uv * t - ur) * per_uu, 0, 1));
+
+    const Triple apart = r + s * u - t * v;
+    store(block.s + i, s);
+    store(block.t + i, t);
+    store(block.separation[0] + i, apart.x);
+    store(block.separation[1] + i, apart.y);
+    store(block.separation[2] + i, apart.z);
+    const Pack distance = square_root(dot(apart, apart));
+    store(block.distance + i, distance);
+
+    const Pack gap = distance - query.range;
+    const HalfFloats travel =
+        gather(query.travel, load_indices(first)) + gather(query.travel, load_indices(second));
+    const HalfFloats ahead =
+        gather(query.ahead, load_indices(first)) + gather(query.ahead, load_indices(second));
+    const Pack asleep = larger(gap, zero) * (1 - 1e-6);
+    *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
+    block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(gap < __builtin_convertvector(ahead, Pack)));
+  }
+}
+
+}  // namespace fiberfate::FIBERFATE_ISA
