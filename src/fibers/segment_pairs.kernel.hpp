@@ -16,6 +16,38 @@ static inline __attribute__((always_inline)) Triple shifts_of(const SegmentQuery
   return transform(query.lattice, {load(turns[0]), load(turns[1]), load(turns[2])});
 }
 
+/// Holds eight pairs: r = x1 − x2 from the begin of the second rod to that of the first, u and v along them.
+struct PairPack {
+  Triple r, u, v;
+  alignas(32) Index first[lanes];
+  alignas(32) Index second[lanes];
+};
+
+static inline __attribute__((always_inline)) void gather_pairs(const SegmentQuery& query, const Index* which,
+                                                               PairPack& pairs) {
+  const double* begin[lanes];
+  const double* other_begin[lanes];
+  const double* end[lanes];
+  const double* other_end[lanes];
+  std::int32_t images = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const Index pair = which[lane];
+    pairs.first[lane] = query.first[pair];
+    pairs.second[lane] = query.second[pair];
+    begin[lane] = query.position + 3 * static_cast<long>(pairs.first[lane]);
+    other_begin[lane] = query.position + 3 * static_cast<long>(pairs.second[lane]);
+    end[lane] = begin[lane] + 3;
+    other_end[lane] = other_begin[lane] + 3;
+    images |= query.image[pair];
+  }
+  const Triple x = read_triples(begin);
+  const Triple y = read_triples(other_begin);
+  pairs.u = read_triples(end) - x;
+  pairs.v = read_triples(other_end) - y;
+  pairs.r = x - y;
+  if (images != 0) pairs.r = pairs.r - shifts_of(query, which);
+}
+
 }  // namespace
 
 int find_awake_pairs(const Index* first, const Index* second, const float* wake, int count,
@@ -34,30 +66,10 @@ int find_awake_pairs(const Index* first, const Index* second, const float* wake,
 
 void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block) {
   const Pack zero = broadcast(0);
+  PairPack pairs;
   for (int i = 0; i < count; i += lanes) {
-    const double* begin[lanes];
-    const double* other_begin[lanes];
-    const double* end[lanes];
-    const double* other_end[lanes];
-    alignas(32) Index first[lanes];
-    alignas(32) Index second[lanes];
-    std::int32_t images = 0;
-    for (int lane = 0; lane < lanes; ++lane) {
-      const Index pair = which[i + lane];
-      first[lane] = query.first[pair];
-      second[lane] = query.second[pair];
-      begin[lane] = query.position + 3 * static_cast<long>(first[lane]);
-      other_begin[lane] = query.position + 3 * static_cast<long>(second[lane]);
-      end[lane] = begin[lane] + 3;
-      other_end[lane] = other_begin[lane] + 3;
-      images |= query.image[pair];
-    }
-    const Triple x = read_triples(begin);
-    const Triple y = read_triples(other_begin);
-    const Triple u = read_triples(end) - x;
-    const Triple v = read_triples(other_end) - y;
-    Triple r = x - y;
-    if (images != 0) r = r - shifts_of(query, which + i);
+    gather_pairs(query, which + i, pairs);
+    const Triple &r = pairs.r, &u = pairs.u, &v = pairs.v;
     const Pack uu = dot(u, u);
     const Pack vv = dot(v, v);
     const Pack uv = dot(u, v);
@@ -86,10 +98,10 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     store(block.distance + i, distance);
 
     const Pack gap = distance - query.range;
-    const HalfFloats travel =
-        gather(query.travel, load_indices(first)) + gather(query.travel, load_indices(second));
-    const HalfFloats ahead =
-        gather(query.ahead, load_indices(first)) + gather(query.ahead, load_indices(second));
+    const IndexPack first = load_indices(pairs.first);
+    const IndexPack second = load_indices(pairs.second);
+    const HalfFloats travel = gather(query.travel, first) + gather(query.travel, second);
+    const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
     const Pack asleep = larger(gap, zero) * (1 - 1e-6);
     *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
     block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(gap < __builtin_convertvector(ahead, Pack)));
