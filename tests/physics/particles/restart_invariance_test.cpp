@@ -1,7 +1,7 @@
 // A simulation made from a state in mid-run continues as if it had never stopped, bit by bit.
 #include <gtest/gtest.h>
 
-#include "bitwise_state.hpp"
+#include "reference/bitwise_state.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {

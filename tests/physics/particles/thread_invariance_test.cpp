@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "base/threads.hpp"
-#include "bitwise_state.hpp"
+#include "reference/bitwise_state.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {

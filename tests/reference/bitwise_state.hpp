@@ -18,6 +18,7 @@ inline void expect_bitwise_equal(const FiberState& a, const FiberState& b) {
   EXPECT_EQ(a.material_id, b.material_id);
   EXPECT_EQ(a.touches_previous, b.touches_previous);
   EXPECT_EQ(a.cell.lattice, b.cell.lattice);
+  EXPECT_EQ(a.cell.boundary, b.cell.boundary);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.step_size, b.step_size);
   EXPECT_EQ(a.step, b.step);
