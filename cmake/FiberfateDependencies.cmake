@@ -21,3 +21,10 @@ add_library(fiberfate_hdf5 INTERFACE)
 target_include_directories(fiberfate_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(fiberfate_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 target_compile_definitions(fiberfate_hdf5 INTERFACE ${HDF5_DEFINITIONS})
+
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(fiberfate_gmsh INTERFACE)
+target_include_directories(fiberfate_gmsh SYSTEM INTERFACE "${GMSH_INCLUDE_DIR}")
+# Gmsh brings some ninety libraries: only programs that mesh shall load them.
+target_link_libraries(fiberfate_gmsh INTERFACE "-Wl,--as-needed,${GMSH_LIBRARY},--no-as-needed")

@@ -14,7 +14,7 @@ foreach(module base io microstructure fibers packing dynamics continuum molding 
 endforeach()
 
 install(TARGETS fiberfate RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-install(TARGETS ${installed_modules} fiberfate_udunits2 fiberfate_hdf5 EXPORT fiberfate
+install(TARGETS ${installed_modules} fiberfate_udunits2 fiberfate_hdf5 fiberfate_gmsh EXPORT fiberfate
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}/fiberfate")
 install(EXPORT fiberfate NAMESPACE fiberfate:: DESTINATION "${FIBERFATE_CMAKE_DIR}")
 
@@ -36,5 +36,5 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libspdlog-dev, libudunits2-dev, libhdf5-dev, libtoml11-dev, libceres-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libspdlog-dev, libudunits2-dev, libhdf5-dev, libtoml11-dev, libceres-dev, libgmsh-dev")
 include(CPack)

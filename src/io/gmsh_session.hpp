@@ -1,0 +1,22 @@
+// Owns a session of the Gmsh library and takes triangles out of it; only sources of io include it.
+#pragma once
+
+#include "io/surface_mesh.hpp"
+
+namespace fiberfate {
+
+/// Starts Gmsh silent, without display and on one thread; ends it with its scope. Gmsh keeps everything in
+/// global variables: a second session at the same time waits for the first.
+class GmshSession {
+ public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+};
+
+/// Takes the triangles of all surfaces; `unit` scales the points. Raises InputError, which calls the source
+/// `name`, when there are none or when a surface holds other elements.
+[[nodiscard]] SurfaceMesh take_triangles(const std::string& name, double unit);
+
+}  // namespace fiberfate

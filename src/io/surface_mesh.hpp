@@ -1,0 +1,21 @@
+// Holds a surface in space as triangles with named regions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vector.hpp"
+
+namespace fiberfate {
+
+/// Holds triangles in space. The three points of a triangle run counter-clockwise about its normal.
+struct SurfaceMesh {
+  std::vector<Vec3> points;                     ///< m; every point is of some triangle
+  std::vector<std::array<Index, 3>> triangles;  ///< points of each
+  std::vector<Index> regions;                   ///< region of each triangle
+  std::vector<std::string> region_names;
+};
+
+}  // namespace fiberfate
