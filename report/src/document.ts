@@ -87,13 +87,42 @@ export interface FibersSection extends SectionBase {
   frames: FiberFrame[];
 }
 
+/** A field at the nodes of a part; each frame is base64 of float32, one alone holds at all times. */
+export interface ShellField {
+  label: string;
+  unit?: string;
+  frames: string[];
+}
+/** A labelled place on a part [m]; `kind` is its look. */
+export interface ShellPlace {
+  label: string;
+  kind: "gate" | "place" | "trap";
+  at: [number, number, number];
+}
+/** Line segments on a part: base64 of float32, six coordinates each [m]. */
+export interface ShellLines {
+  label: string;
+  segments: string;
+}
+export interface ShellSection extends SectionBase {
+  kind: "shell";
+  points: string;
+  triangles: string;
+  fill_time: string;
+  times: number[];
+  fields: ShellField[];
+  places?: ShellPlace[];
+  lines?: ShellLines[];
+}
+
 export type Section =
   | FactsSection
   | LinesSection
   | HistogramSection
   | TableSection
   | HeatmapSection
-  | FibersSection;
+  | FibersSection
+  | ShellSection;
 
 export interface ReportDocument {
   schema: number;

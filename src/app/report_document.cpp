@@ -163,6 +163,40 @@ Json write_section(const FibersSection& section) {
   return json;
 }
 
+const char* name_of(PlaceMark mark) {
+  switch (mark) {
+    case PlaceMark::gate:
+      return "gate";
+    case PlaceMark::trap:
+      return "trap";
+    case PlaceMark::place:
+      break;
+  }
+  return "place";
+}
+
+Json write_section(const ShellSection& section) {
+  Json json = start_section("shell", section);
+  json["points"] = encode(section.points);
+  json["triangles"] = encode(section.triangles);
+  json["fill_time"] = encode(section.fill_time);
+  json["times"] = section.times;
+  json["fields"] = Json::array();
+  for (const ShellField& field : section.fields) {
+    Json entry{{"label", field.label}, {"frames", Json::array()}};
+    add_text(entry, "unit", field.unit);
+    for (const std::vector<float>& frame : field.frames) entry["frames"].push_back(encode(frame));
+    json["fields"].push_back(std::move(entry));
+  }
+  for (const ShellPlace& place : section.places)
+    json["places"].push_back({{"label", place.label},
+                              {"kind", name_of(place.mark)},
+                              {"at", {place.at.x(), place.at.y(), place.at.z()}}});
+  for (const ShellLines& lines : section.lines)
+    json["lines"].push_back({{"label", lines.label}, {"segments", encode(lines.segments)}});
+  return json;
+}
+
 /// Escapes "<" so that no text of the document can end the page's script element or open a comment.
 std::string escape_for_script(const std::string& json) {
   std::string text;

@@ -1,5 +1,5 @@
-// Declares the report document: sections of facts, curves, histograms, tables, fields and fibers, and its
-// rendering.
+// Declares the report document: sections of facts, curves, histograms, tables, fields, fibers and parts, and
+// its rendering.
 #pragma once
 
 #include <array>
@@ -135,8 +135,45 @@ struct FibersSection {
   std::string caption = {};
 };
 
-using ReportSection =
-    std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection, FibersSection>;
+/// Holds a field at the nodes of a part.
+struct ShellField {
+  std::string label;
+  std::string unit = {};
+  std::vector<std::vector<float>> frames = {};  ///< one a time of the section, or one that holds at all times
+};
+
+/// Says how a place on a part is marked.
+enum class PlaceMark { gate, place, trap };
+
+/// Names a place on a part.
+struct ShellPlace {
+  std::string label;
+  PlaceMark mark = PlaceMark::place;
+  Vec3 at = Vec3::Zero();  ///< m
+};
+
+/// Holds lines on a part, as pairs of points.
+struct ShellLines {
+  std::string label;
+  std::vector<float> segments = {};  ///< xyz xyz a segment, m
+};
+
+/// Shows a part that fills, in three dimensions over time.
+struct ShellSection {
+  std::string id;
+  std::string title;
+  std::vector<float> points;            ///< nodes, xyz xyz …, m
+  std::vector<std::int32_t> triangles;  ///< three nodes each
+  std::vector<float> fill_time;         ///< one a node, s; NaN where the melt never comes
+  std::vector<double> times;            ///< of the fields' frames, s
+  std::vector<ShellField> fields;       ///< at least one
+  std::vector<ShellPlace> places = {};
+  std::vector<ShellLines> lines = {};
+  std::string caption = {};
+};
+
+using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection,
+                                   FibersSection, ShellSection>;
 
 /// Holds what a report shows, from top to bottom.
 struct ReportDocument {

@@ -11,6 +11,7 @@ import { Expect, plain_label } from "./checks/expect.mjs";
 import { check_fibers } from "./checks/fibers.mjs";
 import { check_heatmap, check_histogram } from "./checks/histogram.mjs";
 import { check_lines } from "./checks/lines.mjs";
+import { check_shell } from "./checks/shell.mjs";
 import { check_facts, check_note, check_table } from "./checks/text.mjs";
 import { fill_template } from "./fill_template.mjs";
 import { make_document } from "./fixture.mjs";
@@ -22,7 +23,7 @@ const browser_arguments = [
 
 const checks = {
   facts: check_facts, lines: check_lines, scatter: check_lines, histogram: check_histogram, table: check_table,
-  heatmap: check_heatmap, fibers: check_fibers,
+  heatmap: check_heatmap, fibers: check_fibers, shell: check_shell,
 };
 
 const { values: options, positionals } = parseArgs({
@@ -78,7 +79,7 @@ async function check_without_webgl(browser, file, found, expect) {
   });
   await page.reload();
   await page.waitForSelector("main section");
-  for (const section of found.sections.filter(({ kind }) => kind === "fibers")) {
+  for (const section of found.sections.filter(({ kind }) => kind === "fibers" || kind === "shell")) {
     const text = await page.locator(`[id="${section.id}"] .stage`).textContent();
     expect.that(text.includes("WebGL"), `${section.id}: the page says that WebGL is missing`);
   }

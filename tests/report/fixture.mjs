@@ -1,4 +1,5 @@
-// Makes a synthetic report document that looks like a shear_cell run: 138 fibers that turn, bend and break.
+// Makes a synthetic report document: a shear_cell run of 138 fibers that turn, bend and break, and a part that fills.
+import { make_shell } from "./shell_fixture.mjs";
 
 /** A small deterministic generator (mulberry32): the fixture is the same on every machine. */
 function make_random(seed) {
@@ -218,6 +219,7 @@ export function make_document({ fibers: count = 138, rods = 25, frames: frame_co
         series: [{ label: "breaks", x: Array.from({ length: 160 }, () => end_time * random()), values: Array.from({ length: 160 }, () => 3.5e-4 * (0.4 + random()) ** 0.5) }],
       },
       { kind: "fibers", id: "cell", title: "The cell", caption: "Point at a fiber for its numbers; click to follow its pieces through time.", frames: frame_times.map((time) => make_frame(fibers, rods, time)) },
+      make_shell(),
       {
         kind: "heatmap", id: "contacts_map", title: "Contacts by place along the fiber", label: "contacts", unit: "",
         x: { label: "arc length", unit: "m", values: Array.from({ length: 25 }, (_unused, k) => (k + 0.5) * 1e-4) },

@@ -90,6 +90,21 @@ FiberFrame make_frame(double time, int pieces) {
   return frame;
 }
 
+/// Makes a square of four triangles that fills from its middle; one corner stays empty.
+ShellSection make_shell() {
+  const float never = std::numeric_limits<float>::quiet_NaN();
+  return {.id = "shell",
+          .title = "Square",
+          .points = {0, 0, 0, 0.1F, 0, 0, 0.1F, 0.1F, 0, 0, 0.1F, 0, 0.05F, 0.05F, 0.01F},
+          .triangles = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4},
+          .fill_time = {1, 1.5F, 2, never, 0},
+          .times = {1, 2},
+          .fields = {{"fill time", "s", {{1, 1.5F, 2, never, 0}}},
+                     {"pressure", "Pa", {{0, 0, 0, 0, 1e6F}, {2e6F, 1e6F, 0, 0, 3e6F}}}},
+          .places = {{"G1", PlaceMark::gate, {0.05, 0.05, 0.01}}, {"trap", PlaceMark::trap, {0, 0.1, 0}}},
+          .lines = {{"weld lines", {0, 0, 0, 0.05F, 0.05F, 0.01F}}}};
+}
+
 }  // namespace
 }  // namespace fiberfate
 
@@ -100,9 +115,10 @@ int main(int count, char** arguments) {
       .title = "Sample",
       .study = "shear_cell",
       .version = "0.1.0",
-      .sections = {make_facts(), make_lines(), make_histogram(), make_table(), make_heatmap(),
-                   FibersSection{
-                       .id = "cell", .title = "The cell", .frames = {make_frame(0, 1), make_frame(0.5, 2)}}}};
+      .sections = {
+          make_facts(), make_lines(), make_histogram(), make_table(), make_heatmap(),
+          FibersSection{.id = "cell", .title = "The cell", .frames = {make_frame(0, 1), make_frame(0.5, 2)}},
+          make_shell()}};
   std::ofstream file(arguments[1], std::ios::binary);
   file << render_report(document);
   return file.good() ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -33,7 +33,8 @@ export interface MeasuredFrame {
 
 export const table_size = 256;
 
-function make_table(colour_at: (index: number) => [number, number, number]): Uint8Array {
+/** Makes a table of 256 colours, red green blue alpha. */
+export function make_table(colour_at: (index: number) => [number, number, number]): Uint8Array {
   const table = new Uint8Array(4 * table_size);
   for (let k = 0; k < table_size; ++k) table.set([...colour_at(k), 255], 4 * k);
   return table;

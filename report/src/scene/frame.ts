@@ -27,7 +27,7 @@ export interface Measures {
   sharpest: Float32Array;
 }
 
-function decode_base64(text: string): ArrayBuffer {
+export function decode_base64(text: string): ArrayBuffer {
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let k = 0; k < binary.length; ++k) bytes[k] = binary.charCodeAt(k);

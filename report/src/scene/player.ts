@@ -7,12 +7,16 @@ export interface Player {
   index: () => number;
 }
 
-const frames_per_second = 6;
+export interface Pace {
+  per_second: number;
+  /** Index at which the slider stands at first. */
+  start: number;
+}
 
 /** Makes the slider over the frames' times; `show` is called with the chosen frame's index. */
-export function make_player(times: number[], show: (index: number) => void): Player {
+export function make_player(times: number[], show: (index: number) => void, pace: Pace = { per_second: 6, start: 0 }): Player {
   const last = times.length - 1;
-  const slider = make("input", { type: "range", min: 0, max: last, step: 1, value: 0, "aria-label": "Time" });
+  const slider = make("input", { type: "range", min: 0, max: last, step: 1, value: pace.start, "aria-label": "Time" });
   const label = make("output", {});
   const button = make("button", { type: "button", class: "play", "aria-label": "Play" }, "▶");
   let timer: number | undefined;
@@ -41,7 +45,7 @@ export function make_player(times: number[], show: (index: number) => void): Pla
     if (Number(slider.value) === last) slider.value = "-1";
     button.textContent = "❚❚";
     button.setAttribute("aria-label", "Pause");
-    timer = window.setInterval(advance, 1000 / frames_per_second);
+    timer = window.setInterval(advance, 1000 / pace.per_second);
     advance();
   });
   slider.addEventListener("input", () => {
@@ -50,6 +54,6 @@ export function make_player(times: number[], show: (index: number) => void): Pla
   });
   const element = make("div", { class: "player" }, button, slider, label);
   if (last < 1) element.classList.add("single");
-  label.textContent = `t = ${write_quantity(times[0], "s")}`;
+  label.textContent = `t = ${write_quantity(times[pace.start], "s")}`;
   return { element, index: () => Number(slider.value) };
 }

@@ -7,6 +7,7 @@ import { render_heatmap } from "./heatmap";
 import { render_histogram } from "./histogram";
 import { render_lines } from "./lines";
 import { make_section } from "./parts";
+import { render_shell } from "./shell";
 import { render_table } from "./table";
 
 function render_kind(section: Section): HTMLElement | undefined {
@@ -18,6 +19,7 @@ function render_kind(section: Section): HTMLElement | undefined {
     case "table": return render_table(section);
     case "heatmap": return render_heatmap(section);
     case "fibers": return render_fibers(section);
+    case "shell": return render_shell(section);
     default: return undefined;
   }
 }

@@ -1,10 +1,6 @@
 // Checks of the cell in 3D: what is drawn at the first and last time, colours, pointing, playing.
 import { read_number, read_quantity, unit_factor } from "./expect.mjs";
-
-function decode(text, Type) {
-  const bytes = Buffer.from(text, "base64");
-  return new Type(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
-}
+import { decode, move_slider, read_pixels } from "./stage.mjs";
 
 function read_frame(frame) {
   return {
@@ -35,38 +31,6 @@ function smallest_radius(frame, fiber) {
     smallest = Math.min(smallest, (norm(minus(b, a)) * norm(minus(c, b)) * norm(minus(c, a))) / (4 * area));
   }
   return smallest;
-}
-
-/** Gives the scene's pixels that are not background. */
-function read_pixels(stage) {
-  return stage.evaluate((element) => new Promise((resolve) => {
-    requestAnimationFrame(() => requestAnimationFrame(() => {
-      const canvas = element.querySelector("canvas");
-      const copy = document.createElement("canvas");
-      copy.width = canvas.width;
-      copy.height = canvas.height;
-      const pen = copy.getContext("2d");
-      pen.drawImage(canvas, 0, 0);
-      const { data } = pen.getImageData(0, 0, copy.width, copy.height);
-      const colours = new Set();
-      let count = 0;
-      let sum = 0;
-      for (let k = 0; k < data.length; k += 4) {
-        if (data[k + 3] < 250) continue;
-        ++count;
-        colours.add((data[k] << 16) | (data[k + 1] << 8) | data[k + 2]);
-        sum = (sum * 31 + data[k] * 65536 + data[k + 1] * 256 + data[k + 2] + k) % 2147483647;
-      }
-      resolve({ count, colours: colours.size, sum });
-    }));
-  }));
-}
-
-async function move_slider(section, index) {
-  await section.locator(".player input").evaluate((input, value) => {
-    input.value = String(value);
-    input.dispatchEvent(new Event("input", { bubbles: true }));
-  }, index);
 }
 
 async function check_frame(stage, frame, what, expect) {

@@ -1,0 +1,113 @@
+// The stage of a three-dimensional view: renderer, camera, controls, triad; it draws only when something has changed.
+import { LinearSRGBColorSpace, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { current_palette, light_palette, type Palette } from "../palette";
+import { make_triad } from "./triad";
+
+export interface Stage {
+  canvas: HTMLCanvasElement;
+  scene: Scene;
+  camera: PerspectiveCamera;
+  /** Scene units per metre: what is shown is about one unit large. */
+  factor: number;
+  /** Middle of what is shown, in scene units. */
+  middle: Vector3;
+  redraw: () => void;
+  reset_camera: () => void;
+  /** Draws for paper at a multiple of the screen's resolution and hands the pixels to `use`. */
+  snapshot: (times: number, use: (canvas: HTMLCanvasElement) => void) => void;
+}
+
+export interface StageRequest {
+  /** The ball around what is shown [m]. */
+  middle: Vector3;
+  radius: number;
+  /** From where the camera looks at first. */
+  from: Vector3;
+  /** Without a graphics card smooth edges cost as much as all the rest: much to draw goes without them. */
+  crowded: boolean;
+  /** Called before every drawing; `away` is the distance of the camera from the middle. */
+  prepare: (palette: Palette, away: number) => void;
+  /** Called after every drawing on the screen. */
+  finish?: (stage: Stage) => void;
+}
+
+/** Tells whether the browser draws without a graphics card, as on a remote desktop. */
+function draws_in_software(): boolean {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  const name = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function make_renderer(crowded: boolean): WebGLRenderer {
+  const plain = crowded && draws_in_software();
+  const renderer = new WebGLRenderer({ antialias: !plain, alpha: true, preserveDrawingBuffer: true });
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  renderer.setPixelRatio(plain ? 1 : Math.min(2, window.devicePixelRatio));
+  return renderer;
+}
+
+/** Makes the stage in its host; throws where the browser has no WebGL. */
+export function make_stage(host: HTMLElement, request: StageRequest): Stage {
+  const renderer = make_renderer(request.crowded);
+  const factor = 1 / request.radius;
+  const middle = request.middle.clone().multiplyScalar(factor);
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(28, 1, 0.01, 100);
+  const controls = new OrbitControls(camera, renderer.domElement);
+  controls.zoomToCursor = true;
+  const triad = make_triad();
+  host.append(renderer.domElement, triad.element);
+
+  const place_camera = (): void => {
+    const distance = 1.02 / Math.sin((camera.fov * Math.PI) / 360);
+    const narrow = Math.max(1, 1 / camera.aspect);
+    camera.position.copy(middle).addScaledVector(request.from.clone().normalize(), distance * narrow);
+    controls.target.copy(middle);
+    controls.update();
+  };
+  const draw = (palette: Palette = current_palette()): void => {
+    request.prepare(palette, camera.position.distanceTo(middle));
+    renderer.render(scene, camera);
+    triad.turn(camera);
+    host.dataset.triangles = String(renderer.info.render.triangles);
+    request.finish?.(stage);
+  };
+  let due = false;
+  const redraw = (): void => {
+    if (due) return;
+    due = true;
+    requestAnimationFrame(() => {
+      due = false;
+      draw();
+    });
+  };
+  const stage: Stage = {
+    canvas: renderer.domElement, scene, camera, factor, middle, redraw, reset_camera: place_camera,
+    snapshot: (times, use) => {
+      const before = renderer.getPixelRatio();
+      const size = renderer.getSize(new Vector2());
+      renderer.setPixelRatio(before * times);
+      draw(light_palette);
+      use(renderer.domElement);
+      renderer.setPixelRatio(before);
+      renderer.setSize(size.x, size.y);
+      draw();
+    },
+  };
+  controls.addEventListener("change", redraw);
+  let framed = false;
+  new ResizeObserver(() => {
+    const { clientWidth: width, clientHeight: height } = host;
+    if (width === 0 || height === 0) return;
+    renderer.setSize(width, height);
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    if (!framed) place_camera();
+    framed = true;
+    draw();
+  }).observe(host);
+  return stage;
+}

@@ -1,0 +1,166 @@
+// The section "shell": a part that fills, in three dimensions over time.
+import { type LineSegments, Vector3 } from "three";
+import type { ShellSection } from "../document";
+import { make, make_button, make_choice, make_toggle } from "../dom";
+import { current_palette, sample_map, watch_scheme } from "../palette";
+import { save_canvas, save_csv } from "../save";
+import { make_colour_bar } from "../scene/colour_bar";
+import { type ColourScale, make_table } from "../scene/colouring";
+import { compose_picture } from "../scene/picture";
+import { make_player } from "../scene/player";
+import { decode_shell, type DecodedField, field_at, type ShellData } from "../scene/shell";
+import { make_mark_lines, make_place_labels, type PlaceLabels } from "../scene/shell_marks";
+import { make_shell_mesh, type ShellMesh } from "../scene/shell_mesh";
+import { follow_shell_pointer } from "../scene/shell_pointer";
+import { make_stage, type Stage } from "../scene/stage";
+import { make_section } from "./parts";
+
+const positions_of_slider = 120;
+const positions_per_second = 20;
+const contours = 20;
+const viridis = make_table((k) => sample_map("viridis", k / 255));
+
+/** What is shown now; the functions below bring the stage into agreement with it. */
+interface Shown {
+  section: ShellSection;
+  data: ShellData;
+  field: number;
+  time: number;
+  scale: ColourScale;
+  stage: Stage;
+  shell: ShellMesh;
+  lines: LineSegments[];
+  labels: PlaceLabels;
+  host: HTMLElement;
+  bar: HTMLElement;
+}
+
+/** Makes the scale of a field, one for all times, so that colours can be compared. */
+function scale_of(field: DecodedField): ColourScale {
+  let [min, max] = [Infinity, -Infinity];
+  for (const frame of field.frames) {
+    for (const value of frame) {
+      if (!Number.isFinite(value)) continue;
+      min = Math.min(min, value);
+      max = Math.max(max, value);
+    }
+  }
+  if (!(min <= max)) [min, max] = [0, 1];
+  // Equal values still need a bar of some height.
+  if (min === max) [min, max] = [min - 0.5 * (Math.abs(min) || 1), max + 0.5 * (Math.abs(max) || 1)];
+  return { label: field.label, unit: field.unit, min, max, clipped: false, table: viridis, categorical: false };
+}
+
+function show(shown: Shown): void {
+  const { data, shell, host, scale } = shown;
+  const field = data.fields[shown.field]!;
+  shell.set_time(shown.time);
+  shell.colour(field_at(data, field, shown.time), scale);
+  const filled = data.fill_time.reduce((count, time) => count + (time <= shown.time ? 1 : 0), 0);
+  Object.assign(host.dataset, {
+    section: shown.section.id, time: shown.time, nodes: data.nodes, filledNodes: filled, colouring: field.label,
+  });
+  shown.stage.redraw();
+}
+
+function choose_field(shown: Shown, index: number): void {
+  shown.field = index;
+  shown.scale = scale_of(shown.data.fields[index]!);
+  shown.bar.replaceChildren(make_colour_bar(shown.scale, current_palette()));
+  show(shown);
+}
+
+function save_nodes(shown: Shown): void {
+  const { data, time } = shown;
+  const axis = (k: number): number[] => Array.from({ length: data.nodes }, (_unused, node) => data.points[3 * node + k]!);
+  save_csv(`${shown.section.id}-${time.toPrecision(4)}s`, [
+    ...["x", "y", "z"].map((name, k) => ({ header: `${name} [m]`, values: axis(k) })),
+    { header: "filled at [s]", values: [...data.fill_time] },
+    ...data.fields.map((field) => ({ header: field.unit ? `${field.label} [${field.unit}]` : field.label, values: [...field_at(data, field, time)] })),
+  ]);
+}
+
+function save_picture(shown: Shown): void {
+  shown.stage.snapshot(2, (canvas) => {
+    void compose_picture(canvas, shown.scale).then((picture) => save_canvas(`${shown.section.id}-${shown.time.toPrecision(4)}s`, picture));
+  });
+}
+
+function add_controls(controls: HTMLElement, shown: Shown): void {
+  const fields = shown.data.fields.map(({ label }, k) => ({ value: String(k), text: label }));
+  controls.append(make_choice("Colour", fields, "0", (value) => choose_field(shown, Number(value))));
+  shown.section.lines?.forEach(({ label }, k) => {
+    controls.append(make_toggle(label, `Show the ${label}`, true, (on) => {
+      shown.lines[k]!.visible = on;
+      shown.stage.redraw();
+    }));
+  });
+  controls.append(
+    make_toggle("Fronts", "Show lines of equal fill time", false, (on) => {
+      shown.shell.set_contour(on ? shown.data.end / contours : 0);
+      shown.stage.redraw();
+    }),
+    make_button("Reset", "Put the camera back", () => shown.stage.reset_camera()),
+    make_button("PNG", "Save the picture with its colour bar", () => save_picture(shown)),
+    make_button("CSV", "Save the nodes at this time as CSV", () => save_nodes(shown)),
+  );
+}
+
+function ball_around(points: Float32Array): { middle: Vector3; radius: number } {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = new Vector3(-Infinity, -Infinity, -Infinity);
+  for (let k = 0; k < points.length; k += 3) {
+    const at = new Vector3().fromArray(points, k);
+    low.min(at);
+    high.max(at);
+  }
+  // A flat part fills the picture better than the ball around it would let it.
+  return { middle: low.clone().add(high).multiplyScalar(0.5), radius: Math.max(1e-9, 0.46 * low.distanceTo(high)) };
+}
+
+function start_stage(section: ShellSection, data: ShellData, host: HTMLElement, bar: HTMLElement): Shown | undefined {
+  const labels = make_place_labels(section.places ?? []);
+  let shell: ShellMesh | undefined;
+  let stage: Stage;
+  try {
+    stage = make_stage(host, {
+      ...ball_around(data.points),
+      from: new Vector3(0.25, -0.5, 1),
+      crowded: data.nodes > 20_000,
+      prepare: (palette) => shell?.adapt(palette),
+      finish: labels.follow,
+    });
+  } catch {
+    host.dataset.webgl = "missing";
+    host.append(make("p", { class: "note" }, "The part cannot be shown in 3D: this browser has WebGL turned off or has no graphics driver. All numbers of the report are complete without it."));
+    return undefined;
+  }
+  host.dataset.webgl = "working";
+  shell = make_shell_mesh(data, stage.factor);
+  const lines = (section.lines ?? []).map((one) => make_mark_lines(one, stage.factor));
+  stage.scene.add(shell.mesh, shell.outline, ...lines);
+  host.append(labels.element);
+  return { section, data, field: 0, time: data.end, scale: scale_of(data.fields[0]!), stage, shell, lines, labels, host, bar };
+}
+
+export function render_shell(section: ShellSection): HTMLElement {
+  const { element, controls, figure } = make_section(section);
+  const data = decode_shell(section);
+  const host = make("div", { class: "stage", role: "img", "aria-label": `${section.title}: drag to turn, scroll to zoom, point at the part for its numbers` });
+  const bar = make("div", { class: "bar" });
+  figure.append(make("div", { class: "scene" }, host, bar));
+  const shown = start_stage(section, data, host, bar);
+  if (!shown) return element;
+  const times = Array.from({ length: positions_of_slider + 1 }, (_unused, k) => (data.end * k) / positions_of_slider);
+  const pointer = follow_shell_pointer(host, shown.stage, shown.shell.mesh, data, () => shown.time);
+  const player = make_player(times, (index) => {
+    shown.time = times[index]!;
+    show(shown);
+    pointer.refresh();
+  }, { per_second: positions_per_second, start: positions_of_slider });
+  add_controls(controls, shown);
+  figure.append(player.element);
+  choose_field(shown, 0);
+  watch_scheme(() => choose_field(shown, shown.field));
+  return element;
+}
