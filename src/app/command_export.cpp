@@ -18,13 +18,13 @@ namespace {
 const std::vector<std::string> formats = {"vtp", "csv"};
 
 /// Lists every node of a frame, one row each; a table that cluster.file reads again.
-CsvTable node_table(const PolylineFrame& frame) {
+CsvTable node_table(const PolyFrame& frame) {
   CsvTable table;
   table.columns = {"fiber", "birth_id", "birth_node", "radius_m", "x_m", "y_m", "z_m", "curvature_per_m"};
   table.values.resize(table.columns.size());
-  const std::vector<double> birth = numbers_of(frame.line_data, "birth_id");
-  const std::vector<double> first = numbers_of(frame.line_data, "birth_node");
-  const std::vector<double> radius = numbers_of(frame.line_data, "radius");
+  const std::vector<double> birth = numbers_of(frame.cell_data, "birth_id");
+  const std::vector<double> first = numbers_of(frame.cell_data, "birth_node");
+  const std::vector<double> radius = numbers_of(frame.cell_data, "radius");
   const std::vector<double> curvature = numbers_of(frame.point_data, "curvature");
   for (std::size_t fiber = 0; fiber + 1 < frame.offsets.size(); ++fiber) {
     for (auto node = frame.offsets[fiber]; node < frame.offsets[fiber + 1]; ++node) {
@@ -60,7 +60,7 @@ void export_csv(const VtkhdfReader& reader, const std::string& out) {
                     "h22_m", "h23_m",  "h31_m", "h32_m", "h33_m"};
   frames.values.resize(frames.columns.size());
   for (std::size_t i = 0; i < reader.times().size(); ++i) {
-    const PolylineFrame frame = reader.read(i);
+    const PolyFrame frame = reader.read(i);
     write_csv(fmt::format("{}/fibers_{:05}.csv", out, i), node_table(frame));
     const std::vector<double> lattice = numbers_of(frame.frame_data, "lattice");
     frames.values[0].push_back(static_cast<double>(i));

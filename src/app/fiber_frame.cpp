@@ -47,7 +47,7 @@ std::uint16_t material_of_radius(FiberState& state, double radius) {
   return id;
 }
 
-void append_polyline(FiberState& state, const PolylineFrame& frame, std::size_t line, double radius) {
+void append_polyline(FiberState& state, const PolyFrame& frame, std::size_t line, double radius) {
   std::vector<Vec3> nodes;
   for (auto k = frame.offsets[line]; k < frame.offsets[line + 1]; ++k)
     nodes.emplace_back(&frame.points[3 * static_cast<std::size_t>(k)]);
@@ -56,8 +56,8 @@ void append_polyline(FiberState& state, const PolylineFrame& frame, std::size_t 
 
 }  // namespace
 
-PolylineFrame fiber_frame(const FiberState& state) {
-  PolylineFrame frame;
+PolyFrame fiber_frame(const FiberState& state) {
+  PolyFrame frame;
   frame.time = state.time;
   frame.points.reserve(3 * state.position.size());
   for (const Vec3& point : state.position)
@@ -73,7 +73,7 @@ PolylineFrame fiber_frame(const FiberState& state) {
   }
   frame.point_data = {{"relative_velocity", "m/s", 3, velocities(state)},
                       {"curvature", "1/m", 1, curvatures(state)}};
-  frame.line_data = {{"birth_id", "1", 1, state.birth_id},
+  frame.cell_data = {{"birth_id", "1", 1, state.birth_id},
                      {"birth_node", "1", 1, state.birth_node},
                      {"length", "m", 1, std::move(lengths)},
                      {"material", "1", 1, std::move(materials)},
@@ -82,17 +82,17 @@ PolylineFrame fiber_frame(const FiberState& state) {
   return frame;
 }
 
-FiberState fibers_of(const PolylineFrame& frame) {
+FiberState fibers_of(const PolyFrame& frame) {
   FiberState state;
   state.time = frame.time;
   const std::vector<double> lattice = numbers_of(frame.frame_data, "lattice");
-  const std::vector<double> radii = numbers_of(frame.line_data, "radius");
+  const std::vector<double> radii = numbers_of(frame.cell_data, "radius");
   for (std::size_t i = 0; i < 9; ++i)
     state.cell.lattice(static_cast<int>(i) / 3, static_cast<int>(i) % 3) = lattice.at(i);
   for (std::size_t line = 0; line + 1 < frame.offsets.size(); ++line)
     append_polyline(state, frame, line, radii.at(line));
-  const std::vector<double> birth = numbers_of(frame.line_data, "birth_id");
-  const std::vector<double> node = numbers_of(frame.line_data, "birth_node");
+  const std::vector<double> birth = numbers_of(frame.cell_data, "birth_id");
+  const std::vector<double> node = numbers_of(frame.cell_data, "birth_node");
   std::transform(birth.begin(), birth.end(), state.birth_id.begin(),
                  [](double id) { return static_cast<std::uint32_t>(id); });
   std::transform(node.begin(), node.end(), state.birth_node.begin(),

@@ -1,4 +1,5 @@
-// Writes and reads polylines over time in the VTKHDF 2 layout (transient PolyData), which ParaView opens.
+// Writes and reads polylines or polygons over time in the VTKHDF 2 layout (transient PolyData), which
+// ParaView opens.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +8,7 @@
 #include <vector>
 
 #include "io/hdf5_file.hpp"
-#include "io/polyline_frame.hpp"
+#include "io/poly_frame.hpp"
 
 namespace fiberfate {
 
@@ -24,28 +25,28 @@ class VtkhdfWriter {
   VtkhdfWriter(std::string path, std::int64_t kept_frames);
 
   /// Appends a frame; raises StorageError, and `path` is then as before.
-  void append(const PolylineFrame& frame);
+  void append(const PolyFrame& frame);
   /// Removes the copy; the writer must not be used afterwards.
   void finish();
   [[nodiscard]] std::int64_t frames() const { return frames_; }
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
-  void prepare_next(const PolylineFrame& frame);
+  void prepare_next(const PolyFrame& frame);
   std::string path_;
   std::string next_;
-  std::int64_t frames_ = 0;              ///< in the file at path_
-  std::optional<PolylineFrame> latest_;  ///< the last frame of path_, where next_ does not have it yet
+  std::int64_t frames_ = 0;          ///< in the file at path_
+  std::optional<PolyFrame> latest_;  ///< the last frame of path_, where next_ does not have it yet
 };
 
 /// Reads the frames of a file.
 class VtkhdfReader {
  public:
-  /// Opens a file; raises StorageError when it is not one of polylines over time.
+  /// Opens a file; raises StorageError when it is not one of polylines or polygons over time.
   explicit VtkhdfReader(const std::string& path);
   [[nodiscard]] const std::vector<double>& times() const { return times_; }
   /// Reads one frame; raises StorageError.
-  [[nodiscard]] PolylineFrame read(std::size_t frame) const;
+  [[nodiscard]] PolyFrame read(std::size_t frame) const;
 
  private:
   Hdf5File file_;

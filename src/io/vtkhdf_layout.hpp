@@ -6,11 +6,18 @@
 #include <array>
 #include <string>
 
+#include "io/poly_frame.hpp"
+
 namespace fiberfate::vtkhdf {
 
-/// The kinds of cells of PolyData, in the order of the columns of CellOffsets; fibers are Lines.
+/// The kinds of cells of PolyData, in the order of the columns of CellOffsets; fibers are Lines, parts
+/// Polygons.
 inline constexpr std::array<const char*, 4> topologies = {"Vertices", "Lines", "Polygons", "Strips"};
 inline constexpr std::size_t lines = 1;
+inline constexpr std::size_t polygons = 2;
+inline constexpr std::size_t topology_of(CellShape shape) {
+  return shape == CellShape::polyline ? lines : polygons;
+}
 
 inline const std::string root = "VTKHDF";
 inline const std::string steps = "VTKHDF/Steps";

@@ -1,4 +1,4 @@
-// Reads frames of polylines from a VTKHDF file.
+// Reads frames of polylines or polygons from a VTKHDF file.
 #include "base/error.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "io/vtkhdf_layout.hpp"
@@ -52,26 +52,35 @@ std::vector<FrameArray> read_arrays(const Hdf5File& file, Kind kind, std::size_t
 
 VtkhdfReader::VtkhdfReader(const std::string& path) : file_(Hdf5File::open(path, Hdf5File::Access::read)) {
   if (!file_.contains(vtkhdf::values) || file_.read_text_attribute(vtkhdf::root, "Type") != "PolyData")
-    throw StorageError("cannot read " + path + ": it does not hold polylines over time");
+    throw StorageError("cannot read " + path + ": it does not hold polylines or polygons over time");
   times_ = file_.read<double>(vtkhdf::values);
 }
 
-PolylineFrame VtkhdfReader::read(std::size_t frame) const {
-  PolylineFrame result;
+PolyFrame VtkhdfReader::read(std::size_t frame) const {
+  PolyFrame result;
   result.time = times_.at(frame);
-  const auto number = [&](const std::string& name) {
-    return static_cast<std::uint64_t>(value_at<std::int64_t>(file_, name, frame));
+  const auto number_at = [&](const std::string& name, std::uint64_t row) {
+    return static_cast<std::uint64_t>(value_at<std::int64_t>(file_, name, row));
   };
-  const std::uint64_t part = number(vtkhdf::part_offsets);
-  const std::uint64_t first_cell =
-      file_.read_rows<std::int64_t>(vtkhdf::cell_offsets, {frame, 1})[vtkhdf::lines];
-  const std::uint64_t cells = number(vtkhdf::of(vtkhdf::lines, "NumberOfCells"));
-  const std::uint64_t points = number(vtkhdf::point_counts);
-  result.points = file_.read_rows<double>(vtkhdf::points, {number(vtkhdf::point_offsets), points});
-  result.offsets =
-      file_.read_rows<std::int64_t>(vtkhdf::of(vtkhdf::lines, "Offsets"), {first_cell + part, cells + 1});
+  const std::uint64_t part = number_at(vtkhdf::part_offsets, frame);
+  if (frame > 0 && number_at(vtkhdf::part_offsets, frame - 1) == part)
+    result.geometry = FrameGeometry::as_before;
+  if (number_at(vtkhdf::of(vtkhdf::polygons, "NumberOfCells"), part) > 0) result.shape = CellShape::polygon;
+  const std::size_t topology = vtkhdf::topology_of(result.shape);
+  const auto first_of = [&](const std::string& name) {
+    return static_cast<std::uint64_t>(file_.read_rows<std::int64_t>(name, {frame, 1})[topology]);
+  };
+  const std::uint64_t cells = number_at(vtkhdf::of(topology, "NumberOfCells"), part);
+  const std::uint64_t points = number_at(vtkhdf::point_counts, part);
+  result.points = file_.read_rows<double>(vtkhdf::points, {number_at(vtkhdf::point_offsets, frame), points});
+  result.offsets = file_.read_rows<std::int64_t>(vtkhdf::of(topology, "Offsets"),
+                                                 {first_of(vtkhdf::cell_offsets) + part, cells + 1});
+  if (result.shape == CellShape::polygon)
+    result.connectivity = file_.read_rows<std::int64_t>(
+        vtkhdf::of(topology, "Connectivity"),
+        {first_of(vtkhdf::connectivity_offsets), static_cast<std::uint64_t>(result.offsets.back())});
   result.point_data = read_arrays(file_, Kind::point, frame, points);
-  result.line_data = read_arrays(file_, Kind::cell, frame, cells);
+  result.cell_data = read_arrays(file_, Kind::cell, frame, cells);
   result.frame_data = read_arrays(file_, Kind::field, frame, 1);
   return result;
 }

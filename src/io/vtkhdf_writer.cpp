@@ -1,4 +1,4 @@
-// Appends frames of polylines to a VTKHDF file.
+// Appends frames of polylines or polygons to a VTKHDF file.
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
@@ -29,9 +29,9 @@ void append_one(Hdf5File& file, const std::string& name, T value) {
 }
 
 template <class Visit>
-void visit_arrays(const PolylineFrame& frame, const Visit& visit) {
+void visit_arrays(const PolyFrame& frame, const Visit& visit) {
   for (const FrameArray& array : frame.point_data) visit(Kind::point, array);
-  for (const FrameArray& array : frame.line_data) visit(Kind::cell, array);
+  for (const FrameArray& array : frame.cell_data) visit(Kind::cell, array);
   for (const FrameArray& array : frame.frame_data) visit(Kind::field, array);
 }
 
@@ -49,7 +49,7 @@ void make_array(Hdf5File& file, Kind kind, const FrameArray& array) {
   file.make_table(vtkhdf::data_offsets(kind, array.name), {Element::int64, 0, step_chunk});
 }
 
-void make_layout(Hdf5File& file, const PolylineFrame& frame) {
+void make_layout(Hdf5File& file, const PolyFrame& frame) {
   file.make_group(vtkhdf::root);
   const std::array<std::int64_t, 2> format_version = {2, 0};
   file.write_attribute(vtkhdf::root, "Version", std::span<const std::int64_t>(format_version));
@@ -58,7 +58,7 @@ void make_layout(Hdf5File& file, const PolylineFrame& frame) {
   file.write_text_attribute(vtkhdf::points, "unit", "m");
   file.make_table(vtkhdf::point_counts, {Element::int64, 0, step_chunk});
   for (std::size_t t = 0; t < vtkhdf::topologies.size(); ++t) {
-    const std::uint64_t chunk = t == vtkhdf::lines ? data_chunk : step_chunk;
+    const std::uint64_t chunk = t == vtkhdf::topology_of(frame.shape) ? data_chunk : step_chunk;
     file.make_table(vtkhdf::of(t, "Connectivity"), {Element::int64, 0, chunk, Compression::deflate});
     file.make_table(vtkhdf::of(t, "Offsets"), {Element::int64, 0, chunk, Compression::deflate});
     file.make_table(vtkhdf::of(t, "NumberOfCells"), {Element::int64, 0, step_chunk});
@@ -74,30 +74,63 @@ void make_layout(Hdf5File& file, const PolylineFrame& frame) {
   visit_arrays(frame, [&](Kind kind, const FrameArray& array) { make_array(file, kind, array); });
 }
 
-void append_offsets(Hdf5File& file, const PolylineFrame& frame) {
-  using Row = std::array<std::int64_t, vtkhdf::topologies.size()>;
-  Row cells{};
-  Row connectivity{};
+using TopologyRow = std::array<std::int64_t, vtkhdf::topologies.size()>;
+
+/// Says where the geometry of a frame stands in the file.
+struct GeometryPlace {
+  std::int64_t part = 0;
+  std::int64_t point = 0;
+  TopologyRow cells{};
+  TopologyRow connectivity{};
+};
+
+/// Tells the place behind all geometry so far.
+GeometryPlace next_place(const Hdf5File& file, std::size_t topology) {
   const auto rows = [&file](const std::string& name) { return static_cast<std::int64_t>(file.rows(name)); };
-  const std::int64_t parts = rows(vtkhdf::point_counts);
-  // Every part has one more offset than it has polylines.
-  cells[vtkhdf::lines] = rows(vtkhdf::of(vtkhdf::lines, "Offsets")) - parts;
-  connectivity[vtkhdf::lines] = rows(vtkhdf::of(vtkhdf::lines, "Connectivity"));
-  append_one(file, vtkhdf::part_offsets, parts);
+  GeometryPlace place;
+  place.part = rows(vtkhdf::point_counts);
+  place.point = rows(vtkhdf::points);
+  // Every part has one more offset than it has cells.
+  place.cells[topology] = rows(vtkhdf::of(topology, "Offsets")) - place.part;
+  place.connectivity[topology] = rows(vtkhdf::of(topology, "Connectivity"));
+  return place;
+}
+
+/// Tells the place of the last frame's geometry.
+GeometryPlace last_place(const Hdf5File& file) {
+  const std::uint64_t last = file.rows(vtkhdf::values) - 1;
+  const auto row = [&](const std::string& name) { return file.read_rows<std::int64_t>(name, {last, 1}); };
+  GeometryPlace place;
+  place.part = row(vtkhdf::part_offsets).front();
+  place.point = row(vtkhdf::point_offsets).front();
+  std::ranges::copy(row(vtkhdf::cell_offsets), place.cells.begin());
+  std::ranges::copy(row(vtkhdf::connectivity_offsets), place.connectivity.begin());
+  return place;
+}
+
+void append_offsets(Hdf5File& file, const PolyFrame& frame) {
+  const GeometryPlace place = frame.geometry == FrameGeometry::own
+                                  ? next_place(file, vtkhdf::topology_of(frame.shape))
+                                  : last_place(file);
+  append_one(file, vtkhdf::part_offsets, place.part);
   append_one(file, vtkhdf::part_counts, std::int64_t{1});
-  append_one(file, vtkhdf::point_offsets, rows(vtkhdf::points));
-  file.append(vtkhdf::cell_offsets, std::span<const std::int64_t>(cells));
-  file.append(vtkhdf::connectivity_offsets, std::span<const std::int64_t>(connectivity));
+  append_one(file, vtkhdf::point_offsets, place.point);
+  file.append(vtkhdf::cell_offsets, std::span<const std::int64_t>(place.cells));
+  file.append(vtkhdf::connectivity_offsets, std::span<const std::int64_t>(place.connectivity));
   visit_arrays(frame, [&](Kind kind, const FrameArray& array) {
-    append_one(file, vtkhdf::data_offsets(kind, array.name), rows(vtkhdf::data(kind, array.name)));
+    append_one(file, vtkhdf::data_offsets(kind, array.name),
+               static_cast<std::int64_t>(file.rows(vtkhdf::data(kind, array.name))));
   });
 }
 
-void append_topology(Hdf5File& file, const PolylineFrame& frame) {
-  std::vector<std::int64_t> connectivity(frame.points.size() / 3);
-  std::iota(connectivity.begin(), connectivity.end(), 0);
+void append_topology(Hdf5File& file, const PolyFrame& frame) {
+  std::vector<std::int64_t> connectivity = frame.connectivity;
+  if (connectivity.empty()) {
+    connectivity.resize(frame.points.size() / 3);
+    std::iota(connectivity.begin(), connectivity.end(), 0);
+  }
   for (std::size_t t = 0; t < vtkhdf::topologies.size(); ++t) {
-    const bool empty = t != vtkhdf::lines;
+    const bool empty = t != vtkhdf::topology_of(frame.shape);
     const std::vector<std::int64_t> offsets = empty ? std::vector<std::int64_t>{0} : frame.offsets;
     append_one(file, vtkhdf::of(t, "NumberOfCells"), static_cast<std::int64_t>(offsets.size()) - 1);
     append_one(file, vtkhdf::of(t, "NumberOfConnectivityIds"),
@@ -107,11 +140,13 @@ void append_topology(Hdf5File& file, const PolylineFrame& frame) {
   }
 }
 
-void append_frame(Hdf5File& file, const PolylineFrame& frame) {
+void append_frame(Hdf5File& file, const PolyFrame& frame) {
   append_offsets(file, frame);
-  append_topology(file, frame);
-  append_one(file, vtkhdf::point_counts, static_cast<std::int64_t>(frame.points.size() / 3));
-  file.append(vtkhdf::points, view(frame.points));
+  if (frame.geometry == FrameGeometry::own) {
+    append_topology(file, frame);
+    append_one(file, vtkhdf::point_counts, static_cast<std::int64_t>(frame.points.size() / 3));
+    file.append(vtkhdf::points, view(frame.points));
+  }
   visit_arrays(frame, [&](Kind kind, const FrameArray& array) {
     std::visit([&](const auto& values) { file.append(vtkhdf::data(kind, array.name), view(values)); },
                array.values);
@@ -131,7 +166,7 @@ void copy_frames(const std::string& from, const std::string& to, std::int64_t co
     throw StorageError("cannot continue " + from + ": it has fewer frames than the checkpoint counts");
   Hdf5File file = Hdf5File::create(to);
   for (std::int64_t i = 0; i < count; ++i) {
-    const PolylineFrame frame = reader.read(static_cast<std::size_t>(i));
+    const PolyFrame frame = reader.read(static_cast<std::size_t>(i));
     if (i == 0) make_layout(file, frame);
     append_frame(file, frame);
   }
@@ -153,7 +188,7 @@ VtkhdfWriter::VtkhdfWriter(std::string path, std::int64_t kept_frames)
   }
 }
 
-void VtkhdfWriter::prepare_next(const PolylineFrame& frame) {
+void VtkhdfWriter::prepare_next(const PolyFrame& frame) {
   if (frames_ == 0) {
     Hdf5File file = Hdf5File::create(next_);
     make_layout(file, frame);
@@ -168,9 +203,12 @@ void VtkhdfWriter::prepare_next(const PolylineFrame& frame) {
   latest_.reset();
 }
 
-void VtkhdfWriter::append(const PolylineFrame& frame) {
+void VtkhdfWriter::append(const PolyFrame& frame) {
   assert(!frame.offsets.empty() &&
-         frame.offsets.back() * 3 == static_cast<std::int64_t>(frame.points.size()));
+         (frame.connectivity.empty()
+              ? frame.offsets.back() * 3 == static_cast<std::int64_t>(frame.points.size())
+              : frame.offsets.back() == static_cast<std::int64_t>(frame.connectivity.size())));
+  assert(frame.geometry == FrameGeometry::own || frames_ > 0);
   try {
     prepare_next(frame);
     Hdf5File file = Hdf5File::open(next_, Hdf5File::Access::read_write);

@@ -1,5 +1,5 @@
-// Writes polylines as VTK XML files. Source: VTK File Formats, "PolyData", "Appended data", header_type
-// UInt64.
+// Writes polylines or polygons as VTK XML files. Source: VTK File Formats, "PolyData", "Appended data",
+// header_type UInt64.
 #include "io/vtp_file.hpp"
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ class VtpText {
   std::string raw_;
 };
 
-void add_field_data(VtpText& text, const PolylineFrame& frame) {
+void add_field_data(VtpText& text, const PolyFrame& frame) {
   text.line("<FieldData>");
   text.line(fmt::format(
       R"(<DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">{}</DataArray>)",
@@ -71,25 +71,30 @@ void add_field_data(VtpText& text, const PolylineFrame& frame) {
 
 }  // namespace
 
-void write_vtp(const std::string& path, const PolylineFrame& frame) {
-  std::vector<std::int64_t> connectivity(frame.points.size() / 3);
-  std::iota(connectivity.begin(), connectivity.end(), 0);
+void write_vtp(const std::string& path, const PolyFrame& frame) {
+  std::vector<std::int64_t> connectivity = frame.connectivity;
+  if (connectivity.empty()) {
+    connectivity.resize(frame.points.size() / 3);
+    std::iota(connectivity.begin(), connectivity.end(), 0);
+  }
+  const bool lines = frame.shape == CellShape::polyline;
+  const std::size_t cells = frame.offsets.size() - 1;
   VtpText text;
   text.line(R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
   text.line("<PolyData>");
   add_field_data(text, frame);
   text.line(fmt::format(
-      R"(<Piece NumberOfPoints="{}" NumberOfVerts="0" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="0">)",
-      connectivity.size(), frame.offsets.size() - 1));
+      R"(<Piece NumberOfPoints="{}" NumberOfVerts="0" NumberOfLines="{}" NumberOfStrips="0" NumberOfPolys="{}">)",
+      frame.points.size() / 3, lines ? cells : 0, lines ? 0 : cells));
   text.line("<Points>");
   text.array("Points", 3, frame.points);
-  text.line("</Points>\n<Lines>");
+  text.line(lines ? "</Points>\n<Lines>" : "</Points>\n<Polys>");
   text.array("connectivity", 1, connectivity);
-  // The XML format counts from the end of the first polyline.
+  // The XML format counts from the end of the first cell.
   text.array("offsets", 1, std::vector<std::int64_t>(frame.offsets.begin() + 1, frame.offsets.end()));
-  text.line("</Lines>");
+  text.line(lines ? "</Lines>" : "</Polys>");
   text.arrays("PointData", frame.point_data);
-  text.arrays("CellData", frame.line_data);
+  text.arrays("CellData", frame.cell_data);
   text.line("</Piece>\n</PolyData>");
   replace_file(path, text.whole());
 }

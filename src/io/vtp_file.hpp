@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "io/polyline_frame.hpp"
+#include "io/poly_frame.hpp"
 
 namespace fiberfate {
 
 /// Writes one frame as .vtp (PolyData, appended raw binary); raises StorageError.
-void write_vtp(const std::string& path, const PolylineFrame& frame);
+void write_vtp(const std::string& path, const PolyFrame& frame);
 
 /// Names one file of a series.
 struct SeriesMember {

@@ -48,7 +48,7 @@ std::vector<double> curvatures_of(const FiberState& state) {
   return curvatures;
 }
 
-FiberFrame frame_to_show(const PolylineFrame& polylines) {
+FiberFrame frame_to_show(const PolyFrame& polylines) {
   FiberFrame frame;
   frame.time_s = polylines.time;
   const std::vector<double> lattice = numbers_of(polylines.frame_data, "lattice");
@@ -56,9 +56,9 @@ FiberFrame frame_to_show(const PolylineFrame& polylines) {
     frame.lattice(static_cast<int>(i / 3), static_cast<int>(i % 3)) = lattice.at(i);
   frame.points.assign(polylines.points.begin(), polylines.points.end());
   frame.offsets.assign(polylines.offsets.begin(), polylines.offsets.end());
-  for (const double id : numbers_of(polylines.line_data, "birth_id"))
+  for (const double id : numbers_of(polylines.cell_data, "birth_id"))
     frame.birth.push_back(static_cast<std::int32_t>(id));
-  for (const double radius : numbers_of(polylines.line_data, "radius"))
+  for (const double radius : numbers_of(polylines.cell_data, "radius"))
     frame.radius.push_back(static_cast<float>(radius));
   return frame;
 }

@@ -25,7 +25,7 @@ FiberState two_fibers() {
 }
 
 TEST(FiberFrame, HoldsTheMeasuresOfNodesAndFibers) {
-  const PolylineFrame frame = fiber_frame(two_fibers());
+  const PolyFrame frame = fiber_frame(two_fibers());
   EXPECT_EQ(frame.time, 0.75);
   EXPECT_EQ(frame.offsets, (std::vector<std::int64_t>{0, 3, 5}));
   const std::vector<double> curvature = numbers_of(frame.point_data, "curvature");
@@ -34,8 +34,8 @@ TEST(FiberFrame, HoldsTheMeasuresOfNodesAndFibers) {
   EXPECT_EQ(curvature[0], 0);
   EXPECT_EQ(curvature[4], 0);
   EXPECT_EQ(numbers_of(frame.point_data, "relative_velocity")[5], 3);
-  EXPECT_NEAR(numbers_of(frame.line_data, "length")[0], 2e-4, 1e-10);
-  EXPECT_EQ(numbers_of(frame.line_data, "birth_id"), (std::vector<double>{4, 9}));
+  EXPECT_NEAR(numbers_of(frame.cell_data, "length")[0], 2e-4, 1e-10);
+  EXPECT_EQ(numbers_of(frame.cell_data, "birth_id"), (std::vector<double>{4, 9}));
   EXPECT_EQ(numbers_of(frame.frame_data, "lattice")[1], 0.4e-3) << "row 1, column 2: the tilt";
 }
 

@@ -16,8 +16,8 @@ using Access = Hdf5File::Access;
 using Int64s = std::vector<std::int64_t>;
 
 /// Two polylines of 2 and 3 points in even frames; three of 2, 2 and 2 points (one broke) in odd ones.
-PolylineFrame frame_at(int number) {
-  PolylineFrame frame;
+PolyFrame frame_at(int number) {
+  PolyFrame frame;
   frame.time = 0.25 * number;
   frame.offsets = number % 2 == 0 ? Int64s{0, 2, 5} : Int64s{0, 2, 4, 6};
   const auto points = static_cast<std::size_t>(frame.offsets.back());
@@ -31,17 +31,17 @@ PolylineFrame frame_at(int number) {
   for (std::size_t i = 0; i < birth.size(); ++i)
     birth[i] = static_cast<std::uint32_t>(10 * number) + static_cast<std::uint32_t>(i);
   frame.point_data = {{"curvature", "1/m", 1, curvature}};
-  frame.line_data = {{"birth_id", "1", 1, birth}};
+  frame.cell_data = {{"birth_id", "1", 1, birth}};
   frame.frame_data = {{"lattice", "m", 9, std::vector<double>(9, 1e-3 * number)}};
   return frame;
 }
 
-void expect_equal(const PolylineFrame& a, const PolylineFrame& b) {
+void expect_equal(const PolyFrame& a, const PolyFrame& b) {
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.offsets, b.offsets);
   EXPECT_EQ(a.point_data.at(0).values, b.point_data.at(0).values);
-  EXPECT_EQ(a.line_data.at(0).values, b.line_data.at(0).values);
+  EXPECT_EQ(a.cell_data.at(0).values, b.cell_data.at(0).values);
   EXPECT_EQ(a.frame_data.at(0).values, b.frame_data.at(0).values);
 }
 
@@ -89,6 +89,44 @@ TEST(Vtkhdf, GivesBackEveryFrame) {
   }
   writer.finish();
   EXPECT_FALSE(std::filesystem::exists(folder / "r.vtkhdf.next"));
+}
+
+/// Two triangles that keep their place while a number at their points changes.
+PolyFrame part_at(int number) {
+  PolyFrame frame;
+  frame.time = number;
+  frame.shape = CellShape::polygon;
+  frame.geometry = number == 0 ? FrameGeometry::own : FrameGeometry::as_before;
+  frame.points = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  frame.offsets = {0, 3, 6};
+  frame.connectivity = {0, 1, 2, 0, 2, 3};
+  frame.point_data = {{"pressure", "Pa", 1, std::vector<float>(4, static_cast<float>(number))}};
+  frame.cell_data = {{"region", "1", 1, std::vector<std::int32_t>{0, 1}}};
+  frame.frame_data = {{"filled_share", "1", 1, std::vector<double>{0.5 * number}}};
+  return frame;
+}
+
+TEST(Vtkhdf, KeepsOneCopyOfAGeometryThatStays) {
+  const ScratchFolder folder;
+  VtkhdfWriter(folder / "r.vtkhdf", 0).append(part_at(0));
+  VtkhdfWriter writer(folder / "r.vtkhdf", 1);
+  for (int i = 1; i < 4; ++i) writer.append(part_at(i));
+  const Hdf5File file = Hdf5File::open(folder / "r.vtkhdf", Access::read);
+  EXPECT_EQ(file.rows("VTKHDF/Points"), 4U);
+  EXPECT_EQ(file.read<std::int64_t>("VTKHDF/Polygons/Connectivity"), (Int64s{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(file.read<std::int64_t>("VTKHDF/Lines/NumberOfCells"), (Int64s{0}));
+  EXPECT_EQ(file.read<std::int64_t>("VTKHDF/Steps/PartOffsets"), (Int64s{0, 0, 0, 0}));
+  EXPECT_EQ(file.read<std::int64_t>("VTKHDF/Steps/PointOffsets"), (Int64s{0, 0, 0, 0}));
+  EXPECT_EQ(file.read<std::int64_t>("VTKHDF/Steps/PointDataOffsets/pressure"), (Int64s{0, 4, 8, 12}));
+  const VtkhdfReader reader(folder / "r.vtkhdf");
+  ASSERT_EQ(reader.times().size(), 4U);
+  for (int i = 0; i < 4; ++i) {
+    const PolyFrame frame = reader.read(static_cast<std::size_t>(i));
+    expect_equal(frame, part_at(i));
+    EXPECT_EQ(frame.shape, CellShape::polygon);
+    EXPECT_EQ(frame.geometry, part_at(i).geometry);
+    EXPECT_EQ(frame.connectivity, part_at(i).connectivity);
+  }
 }
 
 TEST(Vtkhdf, ContinuesFromAnyFrame) {
