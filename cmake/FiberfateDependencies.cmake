@@ -22,9 +22,12 @@ target_include_directories(fiberfate_hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE_DIRS})
 target_link_libraries(fiberfate_hdf5 INTERFACE ${HDF5_C_LIBRARIES})
 target_compile_definitions(fiberfate_hdf5 INTERFACE ${HDF5_DEFINITIONS})
 
-find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+# Gmsh is loaded when a part is meshed (src/io/gmsh_library.hpp): only its header and the library's name are needed.
+find_path(GMSH_INCLUDE_DIR gmshc.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
+get_filename_component(gmsh_file "${GMSH_LIBRARY}" REALPATH)
+get_filename_component(gmsh_name "${gmsh_file}" NAME)
 add_library(fiberfate_gmsh INTERFACE)
 target_include_directories(fiberfate_gmsh SYSTEM INTERFACE "${GMSH_INCLUDE_DIR}")
-# Gmsh brings some ninety libraries: only programs that mesh shall load them.
-target_link_libraries(fiberfate_gmsh INTERFACE "-Wl,--as-needed,${GMSH_LIBRARY},--no-as-needed")
+target_compile_definitions(fiberfate_gmsh INTERFACE "FIBERFATE_GMSH_LIBRARY=\"${gmsh_name}\"")
+target_link_libraries(fiberfate_gmsh INTERFACE ${CMAKE_DL_LIBS})

@@ -2,12 +2,10 @@
 #include "io/gmsh_session.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <utility>
 
 #include "base/error.hpp"
 
@@ -21,55 +19,67 @@ std::mutex& session_mutex() {
   return mutex;
 }
 
+/// Names the other elements of Gmsh that surfaces hold.
+std::string element_name(int type) {
+  if (type == 3) return "quadrangles";
+  if (type == 9) return "triangles of second order";
+  return type == 10 || type == 16 ? "quadrangles of second order"
+                                  : fmt::format("elements of Gmsh's type {}", type);
+}
+
+void require_triangles(const GmshLibrary& gmsh, const std::string& name) {
+  GmshList<int> types(gmsh);
+  gmsh.call(gmsh.element_types, &types.items, &types.count, 2, -1);
+  for (const int type : types.values())
+    if (type != triangle_type)
+      throw InputError(fmt::format("{}: its surfaces hold {}", name, element_name(type)),
+                       "mesh the part with triangles of three nodes (order 1, not recombined)");
+}
+
 /// Names the region of a surface: its first physical group, or else its number.
-std::string region_of(int surface) {
-  std::vector<int> groups;
-  gmsh::model::getPhysicalGroupsForEntity(2, surface, groups);
-  if (groups.empty()) return fmt::format("surface {}", surface);
-  std::string found;
-  gmsh::model::getPhysicalName(2, groups.front(), found);
-  return found.empty() ? fmt::format("group {}", groups.front()) : found;
+std::string region_of(const GmshLibrary& gmsh, int surface) {
+  GmshList<int> groups(gmsh);
+  gmsh.call(gmsh.groups_of, 2, surface, &groups.items, &groups.count);
+  if (groups.count == 0) return fmt::format("surface {}", surface);
+  char* text = nullptr;
+  gmsh.call(gmsh.group_name, 2, groups.items[0], &text);
+  const std::string found = text == nullptr ? "" : text;
+  gmsh.free(text);
+  return found.empty() ? fmt::format("group {}", groups.items[0]) : found;
 }
 
 Index region_index(SurfaceMesh& mesh, const std::string& region) {
-  const auto found = std::find(mesh.region_names.begin(), mesh.region_names.end(), region);
-  if (found == mesh.region_names.end()) mesh.region_names.push_back(region);
-  return static_cast<Index>(std::distance(mesh.region_names.begin(), found));
+  std::vector<std::string>& names = mesh.region_names;
+  const auto index = std::find(names.begin(), names.end(), region) - names.begin();
+  if (index == std::ssize(names)) names.push_back(region);
+  return static_cast<Index>(index);
 }
 
 /// Appends the triangles of one surface, by tags of nodes.
-void append_surface(const std::string& name, int surface, SurfaceMesh& mesh,
+void append_surface(const GmshLibrary& gmsh, int surface, SurfaceMesh& mesh,
                     std::vector<std::size_t>& corners) {
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> elements, nodes;
-  gmsh::model::mesh::getElements(types, elements, nodes, 2, surface);
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    if (types[i] != triangle_type) {
-      std::string kind;
-      int dimension = 0, order = 0, count = 0, primary = 0;
-      std::vector<double> local;
-      gmsh::model::mesh::getElementProperties(types[i], kind, dimension, order, count, local, primary);
-      throw InputError(
-          fmt::format("{}: surface {} holds {} elements \"{}\"", name, surface, elements[i].size(), kind),
-          "mesh the part with triangles of three nodes (order 1, not recombined)");
-    }
-    corners.insert(corners.end(), nodes[i].begin(), nodes[i].end());
-    mesh.regions.insert(mesh.regions.end(), elements[i].size(), region_index(mesh, region_of(surface)));
-  }
+  GmshList<std::size_t> elements(gmsh), nodes(gmsh);
+  gmsh.call(gmsh.elements, triangle_type, &elements.items, &elements.count, &nodes.items, &nodes.count,
+            surface, std::size_t{0}, std::size_t{1});
+  if (elements.count == 0) return;
+  corners.insert(corners.end(), nodes.items, nodes.items + nodes.count);
+  mesh.regions.insert(mesh.regions.end(), elements.count, region_index(mesh, region_of(gmsh, surface)));
 }
 
 /// Numbers the nodes that triangles use, in order of their tags.
-void number_points(const std::vector<std::size_t>& corners, double unit, SurfaceMesh& mesh) {
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+void number_points(const GmshLibrary& gmsh, const std::vector<std::size_t>& corners, double unit,
+                   SurfaceMesh& mesh) {
+  GmshList<std::size_t> tags(gmsh);
+  GmshList<double> coordinates(gmsh), parameters(gmsh);
+  gmsh.call(gmsh.nodes, &tags.items, &tags.count, &coordinates.items, &coordinates.count, &parameters.items,
+            &parameters.count, -1, -1, 0, 0);
   std::map<std::size_t, std::size_t> place;
-  for (std::size_t i = 0; i < tags.size(); ++i) place[tags[i]] = i;
+  for (std::size_t i = 0; i < tags.count; ++i) place[tags.items[i]] = i;
   std::vector<std::size_t> used = corners;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const std::size_t tag : used) {
-    const double* at = &coordinates[3 * place.at(tag)];
+    const double* at = coordinates.items + 3 * place.at(tag);
     mesh.points.emplace_back(unit * at[0], unit * at[1], unit * at[2]);
   }
   const auto index_of = [&used](std::size_t tag) {
@@ -81,29 +91,32 @@ void number_points(const std::vector<std::size_t>& corners, double unit, Surface
 
 }  // namespace
 
-GmshSession::GmshSession() {
+GmshSession::GmshSession() : library_(gmsh_library()) {
   session_mutex().lock();
-  constexpr bool read_config_files = false;  // a user's own settings would change the mesh
-  gmsh::initialize(0, nullptr, read_config_files);
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::option::setNumber("General.NumThreads", 1);
+  constexpr int read_config_files = 0;  // a user's own settings would change the mesh
+  library_.call(library_.initialize, 0, nullptr, read_config_files);
+  library_.call(library_.set_option, "General.Terminal", 0.0);
+  library_.call(library_.set_option, "General.NumThreads", 1.0);
 }
 
 GmshSession::~GmshSession() {
-  gmsh::finalize();
+  int ignored = 0;
+  library_.finalize(&ignored);
   session_mutex().unlock();
 }
 
-SurfaceMesh take_triangles(const std::string& name, double unit) {
+SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, double unit) {
+  const GmshLibrary& gmsh = session.library();
+  require_triangles(gmsh, name);
+  GmshList<int> surfaces(gmsh);  // dimension and tag of each
+  gmsh.call(gmsh.entities, &surfaces.items, &surfaces.count, 2);
   SurfaceMesh mesh;
   std::vector<std::size_t> corners;
-  gmsh::vectorpair surfaces;
-  gmsh::model::getEntities(surfaces, 2);
-  for (const auto& [dimension, surface] : surfaces) append_surface(name, surface, mesh, corners);
+  for (std::size_t i = 1; i < surfaces.count; i += 2) append_surface(gmsh, surfaces.items[i], mesh, corners);
   if (corners.empty())
     throw InputError(name + ": there are no triangles",
                      "give a surface mesh; volumes and lines are not read");
-  number_points(corners, unit, mesh);
+  number_points(gmsh, corners, unit, mesh);
   return mesh;
 }
 

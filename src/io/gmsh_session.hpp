@@ -1,6 +1,9 @@
 // Owns a session of the Gmsh library and takes triangles out of it; only sources of io include it.
 #pragma once
 
+#include <string>
+
+#include "io/gmsh_library.hpp"
 #include "io/surface_mesh.hpp"
 
 namespace fiberfate {
@@ -13,10 +16,14 @@ class GmshSession {
   ~GmshSession();
   GmshSession(const GmshSession&) = delete;
   GmshSession& operator=(const GmshSession&) = delete;
+  [[nodiscard]] const GmshLibrary& library() const { return library_; }
+
+ private:
+  const GmshLibrary& library_;
 };
 
 /// Takes the triangles of all surfaces; `unit` scales the points. Raises InputError, which calls the source
 /// `name`, when there are none or when a surface holds other elements.
-[[nodiscard]] SurfaceMesh take_triangles(const std::string& name, double unit);
+[[nodiscard]] SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, double unit);
 
 }  // namespace fiberfate

@@ -2,7 +2,6 @@
 #include "io/surface_file.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 
 #include <algorithm>
 #include <cctype>
@@ -65,11 +64,11 @@ SurfaceMesh read_surface(const std::string& path, double unit) {
   require_mesh_file(path);
   const GmshSession session;
   try {
-    gmsh::open(path);
-  } catch (const std::string& reason) {
-    throw InputError(fmt::format("{}: Gmsh cannot read it: {}", path, reason), "save the mesh again");
+    session.library().call(session.library().open, path.c_str());
+  } catch (const GmshError& error) {
+    throw InputError(fmt::format("{}: Gmsh cannot read it: {}", path, error.what()), "save the mesh again");
   }
-  return take_triangles(path, unit);
+  return take_triangles(session, path, unit);
 }
 
 }  // namespace fiberfate

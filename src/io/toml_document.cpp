@@ -217,6 +217,10 @@ void TomlDocument::replace(TomlEntry entry) {
   entries_.push_back(std::move(entry));
 }
 
+void TomlDocument::add(std::vector<TomlEntry> entries) {
+  for (TomlEntry& entry : entries) entries_.push_back(std::move(entry));
+}
+
 const TomlEntry* TomlDocument::find(std::string_view key) const {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
                                   [key](const TomlEntry& entry) { return entry.key == key; });

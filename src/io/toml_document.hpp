@@ -57,6 +57,8 @@ class TomlDocument {
   /// Sets a key to an entry of another file; messages go on to cite that file.
   void replace(TomlEntry entry);
 
+  /// Adds entries of another document behind its own; they keep their places.
+  void add(std::vector<TomlEntry> entries);
   /// Finds a key; null when it is not given.
   [[nodiscard]] const TomlEntry* find(std::string_view key) const;
   [[nodiscard]] const std::vector<TomlEntry>& entries() const { return entries_; }
