@@ -25,7 +25,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/fiberfate-config-version
 install(FILES "${PROJECT_BINARY_DIR}/fiberfate-config.cmake" "${PROJECT_BINARY_DIR}/fiberfate-config-version.cmake"
         DESTINATION "${FIBERFATE_CMAKE_DIR}")
 
-install(DIRECTORY cases DESTINATION "${CMAKE_INSTALL_DATADIR}/fiberfate")
+install(DIRECTORY cases materials DESTINATION "${CMAKE_INSTALL_DATADIR}/fiberfate")
 install(DIRECTORY docs/ DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(FILES README.md LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
@@ -37,4 +37,5 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libfmt-dev, libspdlog-dev, libudunits2-dev, libhdf5-dev, libtoml11-dev, libceres-dev, libgmsh-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libgmsh4.8")
 include(CPack)

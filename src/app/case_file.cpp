@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/case_checker.hpp"
+#include "app/material_presets.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
 
@@ -143,7 +144,7 @@ void find_unknown(const TomlDocument& document, const Study& study, const KeyTab
   }
 }
 
-LoadedCase read_case(const TomlDocument& document, const std::string& folder, NamedFiles named_files) {
+LoadedCase read_case(TomlDocument document, const std::string& folder, NamedFiles named_files) {
   LoadedCase loaded;
   const Study& study = study_of(document);
   loaded.study = &study;
@@ -151,6 +152,7 @@ LoadedCase read_case(const TomlDocument& document, const std::string& folder, Na
   loaded.values = study.make();
   KeyTable table(folder);
   study.describe(table, loaded.values);
+  add_preset(table, document);
   Problems problems;
   read_keys(document, table, problems);
   find_unknown(document, study, table, problems);
@@ -217,7 +219,7 @@ LoadedCase load_case(const std::string& path, const CaseChanges& changes) {
   TomlDocument document = TomlDocument::read(path);
   apply_variants(changes.variants, path, document);
   apply(changes.overrides, document);
-  return read_case(document, folder_of(path), NamedFiles::must_exist);
+  return read_case(std::move(document), folder_of(path), NamedFiles::must_exist);
 }
 
 LoadedCase load_resolved_case(const std::string& path) {
@@ -228,7 +230,7 @@ LoadedCase parse_case(const std::string& text, const std::string& name,
                       const std::vector<std::string>& overrides) {
   TomlDocument document = TomlDocument::parse(text, name);
   apply(overrides, document);
-  return read_case(document, ".", NamedFiles::must_exist);
+  return read_case(std::move(document), ".", NamedFiles::must_exist);
 }
 
 }  // namespace fiberfate

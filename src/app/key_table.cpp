@@ -193,6 +193,21 @@ void KeyTable::file(const std::string& key, std::string& member, KeyNotes notes)
   add({key, std::move(notes), "file", {}, read, write});
 }
 
+void KeyTable::preset(const std::string& key, std::string& member, KeyNotes notes) {
+  const auto read = [&member](const TomlValue& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    if (text == nullptr || text->empty())
+      return Complaints{
+          {"not the name of a material", "give the name of a material or the path of its file"}};
+    member = *text;
+    return Complaints{};
+  };
+  const auto write = [&member](NumberStyle style) {
+    return member.empty() || style == NumberStyle::si ? std::string() : write_text(member);
+  };
+  add({key, std::move(notes), "material", {}, read, write});
+}
+
 void KeyTable::orientation(const std::string& key, Mat3& member, KeyNotes notes) {
   const auto read = [&member](const TomlValue& value) {
     Complaints complaints;

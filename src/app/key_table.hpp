@@ -108,6 +108,9 @@ class KeyTable {
   }
   /// The path of a file, relative to the case file; kept absolute.
   void file(const std::string& key, std::string& member, KeyNotes notes);
+  /// A material of the program's or the path of a file like it, whose values stand for the keys that a case
+  /// leaves out (add_preset). A resolved case, which has them all, does not name it any more.
+  void preset(const std::string& key, std::string& member, KeyNotes notes);
   /// Rows of quantities, one unit a column, or the path of a text file that holds them in SI units.
   void rows(const std::string& key, std::vector<std::vector<double>>& member, std::vector<Column> columns,
             KeyNotes notes);
