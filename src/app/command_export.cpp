@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
+#include "app/case_file.hpp"
 #include "app/fiber_frame.hpp"
 #include "app/result_folder.hpp"
+#include "app/studies/molding_run.hpp"
 #include "base/error.hpp"
 #include "io/csv_table.hpp"
 #include "io/vtkhdf_file.hpp"
@@ -15,7 +18,7 @@
 namespace fiberfate {
 namespace {
 
-const std::vector<std::string> formats = {"vtp", "csv"};
+const std::vector<std::string> formats = {"vtp", "csv", "abaqus"};
 
 /// Lists every node of a frame, one row each; a table that cluster.file reads again.
 CsvTable node_table(const PolyFrame& frame) {
@@ -46,11 +49,14 @@ CsvTable node_table(const PolyFrame& frame) {
 
 void export_vtp(const VtkhdfReader& reader, const std::string& out) {
   std::vector<SeriesMember> members;
+  std::string stem = "fibers";
   for (std::size_t i = 0; i < reader.times().size(); ++i) {
-    members.push_back({reader.times()[i], fmt::format("fibers_{:05}.vtp", i)});
-    write_vtp(out + '/' + members.back().file, reader.read(i));
+    const PolyFrame frame = reader.read(i);
+    if (frame.shape == CellShape::polygon) stem = "part";
+    members.push_back({reader.times()[i], fmt::format("{}_{:05}.vtp", stem, i)});
+    write_vtp(out + '/' + members.back().file, frame);
   }
-  write_pvd(out + "/fibers.pvd", members);
+  write_pvd(fmt::format("{}/{}.pvd", out, stem), members);
 }
 
 /// Writes fibers_NNNNN.csv for every frame and frames.csv with their times and lattices.
@@ -73,15 +79,27 @@ void export_csv(const VtkhdfReader& reader, const std::string& out) {
 }  // namespace
 
 int run_export(const ExportOptions& options) {
-  if (options.format != "vtp" && options.format != "csv") {
+  if (std::find(formats.begin(), formats.end(), options.format) == formats.end()) {
     const std::string_view meant = nearest_word(options.format, formats);
     throw InputError(fmt::format("unknown export format '{}'", options.format),
-                     meant.empty() ? "the formats are vtp and csv" : fmt::format("did you mean {}?", meant));
+                     meant.empty() ? fmt::format("the formats are {}", fmt::join(formats, ", "))
+                                   : fmt::format("did you mean {}?", meant));
   }
   const ResultFolder folder = ResultFolder::open(options.folder);
-  const VtkhdfReader reader(folder.frames());
+  const LoadedCase loaded = load_resolved_case(folder.resolved_case());
+  const auto* molding = std::any_cast<MoldingCase>(&loaded.values);
+  if ((options.format == "abaqus") != (molding != nullptr) && options.format != "vtp")
+    throw InputError(
+        fmt::format("a result of the study {} has no export '{}'", loaded.study->name, options.format),
+        molding != nullptr ? "take vtp or abaqus; the tables of this study are CSV already"
+                           : "take vtp or csv; abaqus is for filled parts");
   const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;
   std::filesystem::create_directories(out);
+  if (options.format == "abaqus") {
+    fmt::print("{}\n", export_structure(*molding, folder, out));
+    return 0;
+  }
+  const VtkhdfReader reader(folder.frames());
   options.format == "vtp" ? export_vtp(reader, out) : export_csv(reader, out);
   fmt::print("{} frames in {}\n", reader.times().size(), out);
   return 0;

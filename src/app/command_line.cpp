@@ -179,7 +179,9 @@ void add_result_commands(CLI::App& app, Commands& commands) {
   export_result->add_option("dir", commands.export_result.folder, "The result folder")
       ->required()
       ->type_name("DIR");
-  export_result->add_option("--format", commands.export_result.format, "vtp (ParaView 5.11 and older) or csv")
+  export_result
+      ->add_option("--format", commands.export_result.format,
+                   "vtp (ParaView 5.11 and older), csv, or abaqus (Abaqus and CalculiX)")
       ->required()
       ->type_name("FORMAT");
   export_result->add_option("--out", commands.export_result.out, "Where to write")->type_name("DIR");

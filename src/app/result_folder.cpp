@@ -34,11 +34,14 @@ constexpr std::array result_files = {
 
 // Tables that some studies add; alone they are no result.
 constexpr std::array study_tables = {
-    "histogram.csv",    "histogram_compared.csv",
-    "distribution.csv", "directions.csv",
-    "modulus.csv",      "fit.csv",
-    "curves.csv",       "profile.csv",
-    "bootstrap.csv",    "sweep.csv",
+    "histogram.csv",     "histogram_compared.csv",
+    "distribution.csv",  "directions.csv",
+    "modulus.csv",       "fit.csv",
+    "curves.csv",        "profile.csv",
+    "bootstrap.csv",     "sweep.csv",
+    "places.csv",        "profiles.csv",
+    "layers.vtkhdf",     "layers.vtkhdf.new",
+    "properties.vtkhdf", "properties.vtkhdf.next",
 };
 
 std::string without_slash(std::string path) {

@@ -10,6 +10,7 @@
 #include "app/studies/cluster_case.hpp"
 #include "app/studies/cluster_run.hpp"
 #include "app/studies/measurement_run.hpp"
+#include "app/studies/molding_run.hpp"
 #include "app/studies/orientation_run.hpp"
 #include "app/studies/properties_run.hpp"
 #include "app/studies/shear_cell_case.hpp"
@@ -64,6 +65,9 @@ const std::vector<Study>& studies() {
           "calibration", "fit the parameters of a length or orientation law to measurements",
           describe_calibration, validate_calibration, estimate_calibration, run_calibration,
           resume_calibration, report_calibration}),
+      erase_type(StudyFunctions<MoldingCase>{
+          "molding", "fill a mold with melt: fibers orient and break on the way", describe_molding,
+          validate_molding, estimate_molding, run_molding, resume_molding, report_molding}),
       erase_type(StudyFunctions<OrientationCase>{
           "orientation", "follow the orientation tensor through a flow history by an orientation law",
           describe_orientation, validate_orientation, estimate_orientation, run_orientation,

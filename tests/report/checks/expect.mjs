@@ -50,4 +50,4 @@ export function read_quantity(text, unit) {
 export const is_number = (value) => typeof value === "number" && Number.isFinite(value);
 
 /** The text of a label without its marks for subscripts. */
-export const plain_label = (label) => label.replaceAll("_", "");
+export const plain_label = (label) => label.replace(/(?<![A-Za-z0-9_])(\p{L})_([A-Za-z0-9]{1,6})(?![A-Za-z0-9_])/gu, "$1$2");

@@ -1,0 +1,176 @@
+// Checks a case of the study molding.
+#include "app/studies/molding_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/studies/molding_setup.hpp"
+
+#include "base/error.hpp"
+#include "molding/gate_nodes.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
+constexpr double heat_cost = 0.25, orientation_cost = 0.9, length_cost = 0.02;
+
+void validate_machine(const MachineChoices& machine, CaseChecker& checker) {
+  const int given = (machine.flow_rate ? 1 : 0) + (machine.fill_time ? 1 : 0) +
+                    (machine.flow_profile.empty() ? 0 : 1) + (machine.flow_by_filled.empty() ? 0 : 1) +
+                    (machine.ram_profile.empty() ? 0 : 1) + (machine.ram_by_filled.empty() ? 0 : 1);
+  if (given != 1)
+    checker.error(
+        "machine.flow_rate", given == 0 ? "no flow is given" : "the flow is given in more than one way",
+        "give one of flow_rate, fill_time, flow_profile, flow_by_filled, ram_profile, ram_by_filled");
+  const bool ram = !machine.ram_profile.empty() || !machine.ram_by_filled.empty();
+  if (ram && !machine.barrel_diameter)
+    checker.error("machine.barrel_diameter", "not given; speeds of the ram need it",
+                  "add barrel_diameter = \"50 mm\" under [machine]");
+  if (!ram) checker.warn_unused({"machine.barrel_diameter"}, "ram_profile and ram_by_filled");
+  if (machine.melt_temperature > 0 && !(machine.mold_temperature < machine.melt_temperature))
+    checker.error("machine.mold_temperature", "not less than " + checker.cite("machine.melt_temperature"),
+                  "give the temperature of the cooled mold");
+}
+
+void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
+  const MoldingFiberChoices& fibers = values.fibers;
+  const bool means = fibers.number_average || fibers.weight_average;
+  const int given = (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
+  if (given > 1)
+    checker.error("fibers.length", "lengths are given in more than one way",
+                  "give length, or distribution, or number_average and weight_average");
+  if (given == 0 && (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
+    checker.error("fibers.length", "no lengths are given, but a law of length or the coupling needs them",
+                  "give length, or distribution, or number_average and weight_average");
+  if (means && !(fibers.number_average && fibers.weight_average))
+    checker.error(fibers.number_average ? "fibers.weight_average" : "fibers.number_average", "not given",
+                  "give both mean lengths");
+  else if (means && !(*fibers.number_average <= *fibers.weight_average))
+    checker.error("fibers.number_average", "more than " + checker.cite("fibers.weight_average"),
+                  "L_N is never more than L_W");
+  const auto bins = [](const LawChoice& law) { return law.name == "phelps" || law.name == "durin"; };
+  if (means && (bins(values.law) || bins(values.compared)))
+    checker.error("fibers.number_average", "phelps and durin follow distributions only",
+                  "give fibers.distribution");
+  if (fibers.coupling != CouplingChoice::none && values.orientation.name.empty())
+    checker.error("fibers.coupling", "the coupled viscosity needs the orientation",
+                  "choose a law in [orientation]");
+  if (values.law.name.empty() && !values.compared.name.empty())
+    checker.error("compare.name", "there is no first law", "choose one in [law]");
+}
+
+void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
+  const MoldingSweep& sweep = values.sweep;
+  for (const MeasuredLength& one : sweep.measured)
+    if (std::none_of(values.output.places.begin(), values.output.places.end(),
+                     [&](const NamedPlace& place) { return place.name == one.place; }))
+      checker.error("sweep.measured", fmt::format("there is no place \"{}\"", one.place),
+                    "add it to output.places");
+  if (sweep.parameter.empty()) {
+    checker.warn_unused({"sweep.lower", "sweep.upper", "sweep.count", "sweep.spacing", "sweep.measured"},
+                        "sweep.parameter");
+    return;
+  }
+  const LawMenuItem* law = chosen_law(attrition_menu(), values.law);
+  const auto is_swept = [&](const LawParameter& one) { return one.name == sweep.parameter; };
+  if (law == nullptr || std::none_of(law->parameters.begin(), law->parameters.end(), is_swept))
+    checker.error("sweep.parameter", fmt::format("the law {} has no such parameter", values.law.name),
+                  "name one of [law]");
+  if (!sweep.lower || !sweep.upper || !(*sweep.lower < *sweep.upper))
+    checker.error("sweep.lower", "not given, or not less than sweep.upper", "give lower and upper");
+  else if (sweep.spacing == ParameterScale::logarithmic && !(*sweep.lower > 0))
+    checker.error("sweep.lower", "not positive", "give a positive value, or spacing = \"linear\"");
+  if (values.fibers.coupling != CouplingChoice::none)
+    checker.warn("sweep.parameter", "the flow is coupled to the fibers of [law] only",
+                 "for a swept flow run one case a value, --set law." + sweep.parameter + "=VALUE");
+}
+
+/// Finds the key of the case that a fault of the solver's parameters belongs to.
+std::string key_of(const std::string& fault) {
+  if (fault.starts_with("gate ") || fault == "gates") return "gates.places";
+  if (fault.starts_with("material")) return fault;
+  if (fault == "process.flow") return "machine.flow_rate";
+  if (fault == "process.inlet_temperature") return "machine.melt_temperature";
+  if (fault.starts_with("process.mold")) return "machine.mold_temperature";
+  if (fault.starts_with("process")) return "machine.switchover";
+  if (fault.starts_with("numerics")) return fault;
+  return fault.starts_with("fibers") || fault.starts_with("length") ? "fibers.length" : "part.kind";
+}
+
+/// Meshes the part and lets the solver check what it will be given.
+void validate_filling(const MoldingCase& values, CaseChecker& checker) {
+  try {
+    const MoldingSetup setup = molding_setup(values);
+    const ShellMesh mesh(setup.part.shell);
+    check_params(setup.params, mesh);
+    for (const NamedPlace& place : values.output.places) {
+      Gate probe;
+      probe.position = position_of(place, setup.part);
+      const double gap = distance_from_part(probe, mesh);
+      if (gap > std::max(values.output.place_radius, 1e-3))
+        checker.error("output.places",
+                      fmt::format("\"{}\" lies {:.4g} mm off the part", place.name, 1e3 * gap),
+                      "move it onto the part");
+    }
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems()) {
+      const std::string subject =
+          problem.key.empty() ? ""
+                              : problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
+      checker.error(key_of(problem.key), subject + problem.complaint, problem.remedy);
+    }
+  }
+}
+
+}  // namespace
+
+void validate_molding(const MoldingCase& values, CaseChecker& checker) {
+  validate_part(values.part, checker);
+  validate_law(viscosity_menu(), "melt", values.melt, checker);
+  validate_law(orientation_menu(), "orientation", values.orientation, checker);
+  validate_law(attrition_menu(), "law", values.law, checker);
+  validate_law(attrition_menu(), "compare", values.compared, checker);
+  validate_machine(values.machine, checker);
+  validate_lengths(values, checker);
+  validate_sweep(values, checker);
+  if (checker.is_sound()) validate_filling(values, checker);
+}
+
+CaseEstimate estimate_molding(const MoldingCase& values) {
+  const MoldingSetup setup = molding_setup(values);
+  const ShellMesh mesh(setup.part.shell);
+  Vec3 low = setup.part.shell.nodes.front(), high = low;
+  for (const Vec3& node : setup.part.shell.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  const double rate = setup.params.process.flow.at(0, 0);
+  const Vec3 size = 1e3 * (high - low);
+  CaseEstimate estimate;
+  estimate.facts = {
+      {"nodes", fmt::format("{}", mesh.node_count())},
+      {"triangles", fmt::format("{}", mesh.triangle_count())},
+      {"size of the part", fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size.x(), size.y(), size.z())},
+      {"volume", fmt::format("{:.6g} cm^3", 1e6 * mesh.total_volume())},
+      {"area", fmt::format("{:.6g} cm^2", 1e4 * mesh.total_area())},
+      {"regions", fmt::format("{}", fmt::join(setup.part.regions, ", "))},
+      {"gates", fmt::format("{}", setup.params.gates.size())},
+      {"flow rate at the start", fmt::format("{:.6g} cm^3/s", 1e6 * rate)},
+      {"fill time at that rate", fmt::format("{:.6g} s", mesh.total_volume() / rate)},
+      {"length laws", fmt::format("{}", setup.params.fibers.length_sets.size())}};
+  const double points =
+      0.5 * static_cast<double>(mesh.node_count()) * static_cast<double>(values.numerics.layers);
+  const double fields =
+      static_cast<double>(setup.params.fibers.length_sets.size() *
+                          std::max<std::size_t>(1, setup.params.fibers.class_lengths.size()));
+  const double cost = (values.numerics.heat == HeatModel::full ? heat_cost : 0.05) +
+                      (values.orientation.name.empty() ? 0 : orientation_cost) + length_cost * fields;
+  estimate.memory_bytes = 3e7 + points * (200 + 24 * fields) + 2e3 * static_cast<double>(mesh.node_count());
+  estimate.wall_seconds = 1e-6 * cost * points * static_cast<double>(values.numerics.steps);
+  estimate.assumption = "two threads";
+  return estimate;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,223 @@
+// Keeps fillings in HDF5 (docs/formats/checkpoint.md).
+#include "app/studies/molding_checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+
+#include "app/run_log.hpp"
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "io/atomic_file.hpp"
+#include "io/hdf5_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr std::int64_t format_version = 1;
+
+/// Writes parts of a checkpoint or reads them back: one list of names serves both ways.
+class Saver {
+ public:
+  explicit Saver(Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, std::vector<T>& values) {
+    file_.write(name, std::span<const T>(values));
+  }
+  template <class T>
+  void number(const char* name, T& value) {
+    file_.write_attribute("state", name, value);
+  }
+  template <class Enum>
+  void choice(const char* name, Enum& value) {
+    file_.write_attribute("state", name, static_cast<std::int64_t>(value));
+  }
+
+ private:
+  Hdf5File& file_;
+};
+
+class Loader {
+ public:
+  explicit Loader(const Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, std::vector<T>& values) {
+    values = file_.read<T>(name);
+  }
+  template <class T>
+  void number(const char* name, T& value) {
+    value = file_.read_attribute<T>("state", name);
+  }
+  template <class Enum>
+  void choice(const char* name, Enum& value) {
+    value = static_cast<Enum>(file_.read_attribute<std::int64_t>("state", name));
+  }
+
+ private:
+  const Hdf5File& file_;
+};
+
+/// Names every number and plain array of the state once.
+template <class Visitor>
+void visit_state(Visitor& visitor, FillingState& state) {
+  visitor.number("time", state.time);
+  visitor.number("steps", state.steps);
+  visitor.choice("end", state.stop_reason);
+  visitor.choice("control", state.control);
+  visitor.number("sprue_pressure", state.sprue_pressure);
+  visitor.number("flow_rate", state.flow_rate);
+  visitor.number("held_pressure", state.held_pressure);
+  visitor.number("injected_volume", state.injected_volume);
+  visitor.number("filled_volume", state.filled_volume);
+  visitor.number("heat_brought_in", state.heat.brought_in);
+  visitor.number("heat_dissipated", state.heat.dissipated);
+  visitor.number("heat_to_mold", state.heat.to_mold);
+  visitor.array("state/filled", state.filled);
+  visitor.array("state/excess", state.excess);
+  visitor.array("state/fill_time", state.fill_time);
+  visitor.array("state/pressure", state.pressure);
+  visitor.array("state/temperature", state.temperature);
+  visitor.array("state/rate", state.rate);
+  for (std::size_t k = 0; k < state.orientation.size(); ++k)
+    visitor.array(fmt::format("state/orientation_{}", k), state.orientation[k]);
+  visitor.array("state/lengths", state.lengths);
+}
+
+template <class Visitor, class Record>
+void visit_record(Visitor& visitor, Record& record) {
+  visitor.number("series_rows", record.series_rows);
+  visitor.number("frames", record.frames);
+  visitor.number("wall_s", record.wall_s);
+  visitor.number("cpu_s", record.cpu_s);
+  visitor.number("greatest_pressure", record.greatest_pressure);
+}
+
+constexpr std::size_t gate_numbers = 5, event_numbers = 4;
+
+void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
+  const FillingState& state = checkpoint.state;
+  std::vector<double> gates, events, inflow;
+  for (const GateState& gate : state.gates)
+    gates.insert(gates.end(),
+                 {static_cast<double>(gate.phase), gate.arrival_time, gate.pressure, gate.rate, gate.volume});
+  for (const FillingEvent& event : state.events)
+    events.insert(events.end(), {event.time, event.filled_fraction, static_cast<double>(event.kind),
+                                 static_cast<double>(event.gate)});
+  for (const Vec2& vector : state.inflow) inflow.insert(inflow.end(), vector.data(), vector.data() + 2);
+  std::vector<std::uint8_t> mark;
+  for (const NodeMark one : state.mark) mark.push_back(static_cast<std::uint8_t>(one));
+  file.write("state/gates", std::span<const double>(gates), gate_numbers);
+  file.write("state/events", std::span<const double>(events), event_numbers);
+  file.write("state/inflow", std::span<const double>(inflow), 2);
+  file.write("state/mark", std::span<const std::uint8_t>(mark));
+}
+
+void read_structures(const Hdf5File& file, FillingState& state) {
+  const auto gates = file.read<double>("state/gates"), events = file.read<double>("state/events");
+  for (std::size_t i = 0; i < gates.size(); i += gate_numbers)
+    state.gates.push_back({static_cast<GatePhase>(static_cast<int>(gates[i])), gates[i + 1], gates[i + 2],
+                           gates[i + 3], gates[i + 4]});
+  for (std::size_t i = 0; i < events.size(); i += event_numbers)
+    state.events.push_back({events[i], events[i + 1],
+                            static_cast<FillingEventKind>(static_cast<int>(events[i + 2])),
+                            static_cast<int>(events[i + 3])});
+  const auto inflow = file.read<double>("state/inflow");
+  for (std::size_t i = 0; i < inflow.size(); i += 2) state.inflow.emplace_back(inflow[i], inflow[i + 1]);
+  for (const std::uint8_t one : file.read<std::uint8_t>("state/mark"))
+    state.mark.push_back(static_cast<NodeMark>(one));
+}
+
+void write_shell(Hdf5File& file, const Shell& shell) {
+  std::vector<double> nodes;
+  for (const Vec3& node : shell.nodes) nodes.insert(nodes.end(), node.data(), node.data() + 3);
+  std::vector<std::int32_t> triangles;
+  for (const auto& triangle : shell.triangles)
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  const std::vector<std::int32_t> region(shell.region.begin(), shell.region.end());
+  file.write("shell/nodes", std::span<const double>(nodes), 3);
+  file.write("shell/triangles", std::span<const std::int32_t>(triangles), 3);
+  file.write("shell/thickness", std::span<const double>(shell.thickness));
+  file.write("shell/region", std::span<const std::int32_t>(region));
+  file.write_attribute("shell", "junctions", static_cast<std::int64_t>(shell.junctions));
+}
+
+Shell read_shell(const Hdf5File& file) {
+  Shell shell;
+  const auto nodes = file.read<double>("shell/nodes");
+  for (std::size_t i = 0; i < nodes.size(); i += 3)
+    shell.nodes.emplace_back(nodes[i], nodes[i + 1], nodes[i + 2]);
+  const auto triangles = file.read<std::int32_t>("shell/triangles");
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    shell.triangles.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
+  shell.thickness = file.read<double>("shell/thickness");
+  const auto region = file.read<std::int32_t>("shell/region");
+  shell.region.assign(region.begin(), region.end());
+  shell.junctions = static_cast<Junctions>(file.read_attribute<std::int64_t>("shell", "junctions"));
+  return shell;
+}
+
+std::string write_fresh(const std::string& path, const MoldingCheckpoint& checkpoint) {
+  const std::string fresh = path + ".new";
+  try {
+    Hdf5File file = Hdf5File::create(fresh);
+    file.write_attribute("/", "format_version", format_version);
+    file.write_text_attribute("/", "program_version", version);
+    file.write_text_attribute("/", "study", "molding");
+    file.make_group("state");
+    MoldingCheckpoint copy = checkpoint;
+    Saver saver(file);
+    visit_state(saver, copy.state);
+    visit_record(saver, copy.record);
+    write_structures(file, checkpoint);
+    write_shell(file, checkpoint.shell);
+    file.close();
+    sync_file(fresh);
+  } catch (const StorageError&) {
+    std::error_code ignored;  // the first error is the one to report
+    std::filesystem::remove(fresh, ignored);
+    throw;
+  }
+  return fresh;
+}
+
+}  // namespace
+
+void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint) {
+  rename_file(write_fresh(path, checkpoint), path);
+}
+
+void save_molding(const ResultFolder& folder, const MoldingCheckpoint& checkpoint) {
+  // The new one is whole on disk before the older two move up, so there is a sound one at any moment.
+  const std::string fresh = write_fresh(folder.checkpoint(), checkpoint);
+  if (std::filesystem::exists(folder.checkpoint()))
+    rename_file(folder.checkpoint(), folder.previous_checkpoint());
+  rename_file(fresh, folder.checkpoint());
+}
+
+MoldingCheckpoint read_molding(const std::string& path) {
+  const Hdf5File file = Hdf5File::open(path, Hdf5File::Access::read);
+  const auto found = file.read_attribute<std::int64_t>("/", "format_version");
+  if (found != format_version)
+    throw StorageError(fmt::format("cannot read {}: its format is version {}, this program reads {}", path,
+                                   found, format_version));
+  MoldingCheckpoint checkpoint;
+  Loader loader(file);
+  visit_state(loader, checkpoint.state);
+  visit_record(loader, checkpoint.record);
+  read_structures(file, checkpoint.state);
+  checkpoint.shell = read_shell(file);
+  return checkpoint;
+}
+
+MoldingCheckpoint load_molding(const ResultFolder& folder, RunLog& log) {
+  try {
+    return read_molding(folder.checkpoint());
+  } catch (const StorageError& error) {
+    if (!std::filesystem::exists(folder.previous_checkpoint())) throw;
+    log.warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
+    return read_molding(folder.previous_checkpoint());
+  }
+}
+
+}  // namespace fiberfate
