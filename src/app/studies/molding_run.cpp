@@ -188,7 +188,7 @@ void MoldingRun::finish(StopReason reason) {
   log_.note(fmt::format("stopped ({}, {}) at {:.6g} s after {} steps, {:.4g} % filled", name(reason),
                         name(state.stop_reason), state.time, state.steps, 100 * filling_.filled_fraction()));
   if (filling_.finished() && state.stop_reason != FillingEnd::filled)
-    log_.warn(fmt::format("the cavity did not fill: {} at {:.4g} %", name(state.stop_reason),
+    log_.warn(fmt::format("the cavity did not fill: {} at {:.7g} %", name(state.stop_reason),
                           100 * filling_.filled_fraction()));
 }
 
