@@ -3,33 +3,12 @@
 #include "packing/chain_shapes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "base/random.hpp"
 
 namespace fiberfate {
-namespace {
-
-/// Point at share x of a fiber's length on the Catmull-Rom spline through its nodes, continued straight at
-/// the ends.
-Vec3 point_on(const Chains& chains, std::size_t fiber, double x) {
-  const auto begin = static_cast<std::ptrdiff_t>(chains.begin_node(fiber));
-  const auto last = static_cast<std::ptrdiff_t>(chains.end_node(fiber)) - 1;
-  const auto node = [&](std::ptrdiff_t k) -> Vec3 {
-    const auto at = [&](std::ptrdiff_t i) { return chains.position[static_cast<std::size_t>(i)]; };
-    if (k < begin) return 2 * at(begin) - at(begin + 1);
-    if (k > last) return 2 * at(last) - at(last - 1);
-    return at(k);
-  };
-  const double place = x * static_cast<double>(last - begin);
-  const std::ptrdiff_t k = std::min(begin + static_cast<std::ptrdiff_t>(place), last - 1);
-  const double t = place - static_cast<double>(k - begin);
-  const Vec3 a = node(k - 1), b = node(k), c = node(k + 1), d = node(k + 2);
-  return b + 0.5 * t * ((c - a) + t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * b - a - 3 * c + d)));
-}
-
-}  // namespace
-
 double thickest_diameter(const PackingRequest& request) {
   double thickest = 0;
   for (const FiberBlank& fiber : request.fibers)
@@ -37,48 +16,68 @@ double thickest_diameter(const PackingRequest& request) {
   return thickest;
 }
 
+ChainMaker::ChainMaker(const PackingRequest& request, const Cell& cell)
+    : request_(request), unit_(thickest_diameter(request)) {
+  chains_.cell = cell;
+  for (const FiberMaterial& material : request.materials)
+    stiffest_ = std::max(stiffest_, material.bending_stiffness());
+}
+
+void ChainMaker::append(std::span<const Vec3> nodes) {
+  const FiberBlank& fiber = request_.fibers[static_cast<std::size_t>(chains_.fiber_count())];
+  const FiberMaterial& material = request_.materials[fiber.material_id];
+  const double length = fiber.length / unit_ / static_cast<double>(nodes.size() - 1);
+  chains_.position.insert(chains_.position.end(), nodes.begin(), nodes.end());
+  chains_.first_node.push_back(static_cast<Index>(chains_.position.size()));
+  chains_.rod_length.push_back(length);
+  chains_.radius.push_back(material.radius / unit_);
+  const double stiffness = stiffest_ > 0 ? material.bending_stiffness() / stiffest_ : 1;
+  chains_.bending_stiffness.push_back(stiffness / (length * length * length));
+}
+
 Chains straight_chains(const PackingRequest& request, std::span<const Vec3> directions) {
   const double unit = thickest_diameter(request);
-  Chains chains;
-  chains.cell = request.cell;
-  chains.cell.lattice /= unit;
+  Cell cell = request.cell;
+  cell.lattice /= unit;
+  ChainMaker maker(request, cell);
   for (std::size_t f = 0; f < request.fibers.size(); ++f) {
-    const FiberBlank& fiber = request.fibers[f];
     const auto u = uniform4(request.seed, RandomStream::position, {static_cast<std::uint32_t>(f), 0, 0});
-    const Vec3 centre = chains.cell.lattice * Vec3(u[0], u[1], u[2]);
-    const Vec3 half = 0.5 * fiber.length / unit * directions[f];
-    chains.position.push_back(centre - half);
-    chains.position.push_back(centre + half);
-    chains.first_node.push_back(static_cast<Index>(chains.position.size()));
-    chains.rod_length.push_back(fiber.length / unit);
-    chains.radius.push_back(request.materials[fiber.material_id].radius / unit);
-    chains.bending_stiffness.push_back(0);
+    const Vec3 centre = cell.lattice * Vec3(u[0], u[1], u[2]);
+    const Vec3 half = 0.5 * request.fibers[f].length / unit * directions[f];
+    maker.append(std::array<Vec3, 2>{centre - half, centre + half});
   }
-  return chains;
+  return maker.take();
+}
+
+Vec3 point_along(const Chains& chains, std::size_t fiber, double x) {
+  const auto begin = static_cast<std::ptrdiff_t>(chains.begin_node(fiber));
+  const auto last = static_cast<std::ptrdiff_t>(chains.end_node(fiber)) - 1;
+  const auto at = [&](std::ptrdiff_t i) { return chains.position[static_cast<std::size_t>(i)]; };
+  const auto node = [&](std::ptrdiff_t k) -> Vec3 {
+    if (k < begin) return 2 * at(begin) - at(begin + 1);
+    if (k > last) return 2 * at(last) - at(last - 1);
+    return at(k);
+  };
+  const double place = x * static_cast<double>(last - begin);
+  if (x < 0) return at(begin) + place * (at(begin + 1) - at(begin));
+  if (x > 1) return at(last) + (place - static_cast<double>(last - begin)) * (at(last) - at(last - 1));
+  const std::ptrdiff_t k = std::min(begin + static_cast<std::ptrdiff_t>(place), last - 1);
+  const double t = place - static_cast<double>(k - begin);
+  const Vec3 a = node(k - 1), b = node(k), c = node(k + 1), d = node(k + 2);
+  return b + 0.5 * t * ((c - a) + t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * b - a - 3 * c + d)));
 }
 
 Chains divide_chains(const Chains& chains, const PackingRequest& request,
                      const std::function<Index(const FiberBlank&)>& rods_of) {
-  const double unit = thickest_diameter(request);
-  double stiffest = 0;
-  for (const FiberMaterial& material : request.materials)
-    stiffest = std::max(stiffest, material.bending_stiffness());
-  Chains divided;
-  divided.cell = chains.cell;
-  divided.radius = chains.radius;
+  ChainMaker maker(request, chains.cell);
+  std::vector<Vec3> nodes;
   for (std::size_t f = 0; f < request.fibers.size(); ++f) {
-    const FiberBlank& fiber = request.fibers[f];
-    const Index rods = rods_of(fiber);
-    for (Index k = 0; k <= rods; ++k)
-      divided.position.push_back(point_on(chains, f, static_cast<double>(k) / rods));
-    divided.first_node.push_back(static_cast<Index>(divided.position.size()));
-    const double length = fiber.length / unit / rods;
-    divided.rod_length.push_back(length);
-    const double stiffness = request.materials[fiber.material_id].bending_stiffness();
-    divided.bending_stiffness.push_back((stiffest > 0 ? stiffness / stiffest : 1) /
-                                        (length * length * length));
+    const Index rods = rods_of(request.fibers[f]);
+    nodes.clear();
+    for (Index k = 0; k <= rods; ++k) nodes.push_back(point_along(chains, f, static_cast<double>(k) / rods));
+    maker.append(nodes);
   }
-  return divided;
+  return maker.take();
 }
 
 FiberState state_of(const Chains& chains, const PackingRequest& request) {

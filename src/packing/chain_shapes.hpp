@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "packing/chains.hpp"
 #include "packing/packing.hpp"
@@ -13,11 +14,31 @@ namespace fiberfate {
 /// Diameter of the thickest fiber: the unit of length while packing, m.
 [[nodiscard]] double thickest_diameter(const PackingRequest& request);
 
+/// Makes the chains of a request's fibers one after another.
+class ChainMaker {
+ public:
+  /// Takes the cell, in units of packing.
+  ChainMaker(const PackingRequest& request, const Cell& cell);
+  /// Appends the next fiber, cut in the rods between these nodes (units of packing).
+  void append(std::span<const Vec3> nodes);
+  [[nodiscard]] Chains take() { return std::move(chains_); }
+
+ private:
+  const PackingRequest& request_;
+  double unit_;
+  double stiffest_ = 0;
+  Chains chains_;
+};
+
 /// Places every fiber as one straight rod with its centre anywhere in the cell.
 [[nodiscard]] Chains straight_chains(const PackingRequest& request, std::span<const Vec3> directions);
 
-/// Cuts the fibers in other numbers of equal rods along a smooth curve through their nodes (a Catmull-Rom
-/// spline); rod lengths then need ChainConstraints::restore_lengths.
+/// Point at share x of a fiber's length on the Catmull-Rom spline through its nodes, continued beyond the
+/// ends.
+[[nodiscard]] Vec3 point_along(const Chains& chains, std::size_t fiber, double x);
+
+/// Cuts the fibers in other numbers of equal rods along point_along(); rod lengths then need
+/// ChainConstraints::restore_lengths.
 [[nodiscard]] Chains divide_chains(const Chains& chains, const PackingRequest& request,
                                    const std::function<Index(const FiberBlank&)>& rods_of);
 

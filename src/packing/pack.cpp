@@ -80,14 +80,14 @@ bool may_rest(const PackingReport& rest, const PackingRequest& request) {
   constexpr double overlap_at_rest = 0.02;  // diameters
   return rest.largest_overlap < std::max(overlap_at_rest, request.overlap_tolerance) &&
          rest.minimum_radius >= request.minimum_radius &&
-         rest.orientation_error < request.orientation_tolerance;
+         (!holds_orientation(request.start) || rest.orientation_error < request.orientation_tolerance);
 }
 
 /// Replaces the packing by its equilibrium under the contact law where that is admissible, and reports both.
 void settle_at_rest(Packer& packer, Chains& chains, const PackingRequest& request, PackingResult& result) {
   packer.rest(chains);
   FiberState state = state_of(chains, request);
-  PackingReport rest = measure_packing(state, packer.target());
+  PackingReport rest = measure_packing(state, packer.asked());
   const double overlap = rest.largest_overlap, radius = rest.minimum_radius;
   if (may_rest(rest, request)) {
     rest.end = PackingEnd::at_rest;
@@ -111,11 +111,12 @@ PackingResult pack(const PackingRequest& request,
   Chains chains = packer.separate();
   PackingResult result;
   result.state = state_of(chains, request);
-  result.report = measure_packing(result.state, packer.target());
+  result.report = measure_packing(result.state, packer.asked());
   result.report.overlap_at_rest = result.report.largest_overlap;
   result.report.minimum_radius_at_rest = result.report.minimum_radius;
   // Straight fibers hold no contacts: they are at rest already.
   if (!std::isinf(result.report.minimum_radius)) settle_at_rest(packer, chains, request, result);
+  result.report.orientation4_drawn = packer.drawn4();
   result.report.steps = packer.steps();
   result.report.wall_seconds = wall_seconds() - start;
   return result;

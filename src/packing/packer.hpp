@@ -1,8 +1,9 @@
-// Runs the stages of packing: spread, part or bend, settle, ease, rest.
+// Runs the stages of packing: spread, bundle or compress, part or bend, settle, ease, rest.
 #pragma once
 
 #include <functional>
 
+#include "microstructure/tensor.hpp"
 #include "packing/chain_shapes.hpp"
 #include "packing/minimiser.hpp"
 #include "packing/packing.hpp"
@@ -19,7 +20,9 @@ class Packer {
   /// friction.
   void rest(Chains& chains);
 
-  [[nodiscard]] const Mat3& target() const { return target_; }
+  [[nodiscard]] const Mat3& asked() const { return asked_; }
+  /// A4 of the directions that were drawn.
+  [[nodiscard]] const Mat6& drawn4() const { return drawn4_; }
   [[nodiscard]] int steps() const { return steps_; }
 
  private:
@@ -30,9 +33,13 @@ class Packer {
   [[nodiscard]] PackingEnergy plain_energy() const;
   [[nodiscard]] bool may_stay_straight() const;
   [[nodiscard]] bool part_straight();
+  [[nodiscard]] Chains disperse();
+  [[nodiscard]] Chains bundle_up();
+  [[nodiscard]] Chains compress();
   void spread(Chains& chains);
   void bend(Chains& chains);
-  void ease(Minimiser& minimiser, PackingEnergy energy, const Goal& goal);
+  void ease(Minimiser& minimiser, PackingEnergy energy);
+  [[nodiscard]] Goal goal() const;
   [[nodiscard]] bool is_met(const Goal& goal) const;
   /// Makes steps until the goal is met or `steps` are made; tells whether it was.
   bool relax(Minimiser& minimiser, const PackingEnergy& energy, int steps, const Goal& goal);
@@ -41,8 +48,10 @@ class Packer {
   const PackingRequest& request_;
   const std::function<void(const PackingProgress&)>& progress_;
   const char* stage_ = "";
-  double unit_;  ///< thickest diameter, m
-  Mat3 target_ = Mat3::Identity() / 3;
+  double unit_;                         ///< thickest diameter, m
+  Mat3 asked_ = Mat3::Identity() / 3;   ///< A2 that the request wants
+  Mat3 target_ = Mat3::Identity() / 3;  ///< A2 that is held
+  Mat6 drawn4_;
   Chains straight_;
   PackingMeasure last_;
   int steps_ = 0;

@@ -15,7 +15,27 @@ namespace fiberfate {
 
 /// Names how the fibers lie before they are pushed apart.
 enum class PackingStart {
-  dispersed,  ///< straight fibers with centres anywhere in the cell
+  dispersed,   ///< straight fibers with centres anywhere in the cell
+  bundles,     ///< parallel fibers in bundles, as pellets hold them; the bundles lie anywhere
+  compressed,  ///< the published route: planar fibers at 2.5 % by volume whose cell is then compressed
+};
+
+/// Tells whether packings with this start keep the orientation that was asked for.
+[[nodiscard]] constexpr bool holds_orientation(PackingStart start) {
+  return start != PackingStart::compressed;
+}
+
+/// Asks for bundles of parallel fibers (PackingStart::bundles).
+struct BundleRequest {
+  int fibers = 19;               ///< in a bundle; 7, 19, 37, ... fill hexagons
+  double volume_fraction = 0.6;  ///< of fibers inside a bundle, on a hexagonal lattice
+};
+
+/// Weighs what packing trades, against overlap, whose stiffness is 1: where not all can be had, more weight
+/// means less of that error. docs/theory/packing.md has the energy.
+struct PackingWeights {
+  double curvature = 0.5;   ///< stiffness of the barrier on curvature, per E I / l³ of 1
+  double orientation = 20;  ///< stiffness k of the couple k (A2 − A2*)·p that holds the orientation
 };
 
 /// Asks for directions: a tensor with the law that realises it, or measured directions.
@@ -42,6 +62,8 @@ struct PackingRequest {
   Cell cell;  ///< periodic, or with walls in some directions
   OrientationRequest orientation;
   PackingStart start = PackingStart::dispersed;
+  BundleRequest bundle;
+  PackingWeights weights;
   /// Distance in diameters from which fibers repel each other while they spread: more gives straighter
   /// fibers, but spaces them more evenly than chance (PackingReport::pair_distances shows by how much). 2.5
   /// to 4 at 20 % by volume.
@@ -58,11 +80,7 @@ struct PackingRequest {
 struct PackingProgress {
   const char* stage = "";
   int step = 0;
-  double largest_overlap = 0;  ///< in diameters
-  /// Distance in diameters from which fibers repel each other while they spread: more gives straighter
-  /// fibers, but spaces them more evenly than chance (PackingReport::pair_distances shows by how much). 2.5
-  /// to 4 at 20 % by volume.
-  double swelling = 4;
+  double largest_overlap = 0;    ///< in diameters
   double minimum_radius = 0;     ///< m
   double orientation_error = 0;  ///< largest component of |A2 − asked|
 };
@@ -75,7 +93,8 @@ struct PackingResult {
 
 /// Packs the fibers (docs/theory/packing.md). The result is bitwise the same for any number of threads.
 ///
-/// Overlap, smallest radius and orientation are as asked. Then the packing is brought to rest under `rest`,
+/// Overlap, smallest radius and orientation are as asked; but the start `compressed` takes the orientation
+/// that comes, and the report tells it. Then the packing is brought to rest under `rest`,
 /// without friction; that equilibrium is returned where its overlap stays below 2 % of a diameter and the
 /// radius above the one wanted, else the packing before; the report tells which, and both. Raises InputError
 /// for requests that cannot be met by any packing, and SimulationFailure with what was reached when none was

@@ -101,11 +101,52 @@ PairCounts count_pairs(const Chains& chains) {
   return total;
 }
 
-/// Expected number of others whose axis passes a random straight fiber within h: (N/V) (2 L² h <|sin|> + 2 pi
-/// h² L + 4/3 pi h³). With h = D this is Toll's (8/pi) phi (L/D) f + 4 phi (g + 1) of J. Rheol. 37 (1993) 123
-/// for slender fibers.
-double expected_within(double h, double density, double length, double sine) {
-  return density * (2 * length * length * h * sine + 2 * pi * h * h * length + 4.0 / 3.0 * pi * h * h * h);
+/// Expects how many fibers pass a fiber, when all are straight and placed at random: averages over pairs of
+/// fibers i, j of 2 L_i L_j h <|sin|> + pi h² (L_i + L_j) + 4/3 pi h³ over the volume for each of N fibers,
+/// with h = x (a_i + a_j). For one kind of slender fiber and x = 1 this is Toll's (8/pi) phi (L/D) f + 4 phi
+/// (g + 1) (J. Rheol. 37 (1993) 123).
+class RandomFibers {
+ public:
+  explicit RandomFibers(const FiberState& state) : density_(state.fiber_count() / state.cell.volume()) {
+    for (Index f = 0; f < state.fiber_count(); ++f) {
+      const double share = 1.0 / state.fiber_count(), length = fiber_length(state, f),
+                   radius = state.material(f).radius;
+      for (std::size_t power = 0; power < 4; ++power) {
+        radius_[power] += share * std::pow(radius, static_cast<double>(power));
+        length_radius_[power] += share * length * std::pow(radius, static_cast<double>(power));
+      }
+    }
+  }
+  /// Number of others a fiber whose axes are nearer than `distance` sums of radii.
+  [[nodiscard]] double within(double distance, double sine) const {
+    const double crossing = 2 * length_radius_[0] * length_radius_[1];
+    const double beside =
+        2 * (length_radius_[2] + 2 * length_radius_[1] * radius_[1] + length_radius_[0] * radius_[2]);
+    const double ends = 2 * radius_[3] + 6 * radius_[2] * radius_[1];
+    return density_ * (2 * distance * sine * crossing + pi * distance * distance * beside +
+                       4.0 / 3.0 * pi * std::pow(distance, 3) * ends);
+  }
+
+ private:
+  double density_;
+  std::array<double, 4> radius_{};         // means of a^n
+  std::array<double, 4> length_radius_{};  // means of L a^n
+};
+
+void measure_curvature(const FiberState& state, PackingReport& report) {
+  report.minimum_radius = minimum_radius(state);
+  const std::vector<double> radii = hinge_radii(state);
+  if (radii.empty()) return;
+  constexpr double sharp = 1.1;  // of the smallest radius
+  for (const double radius : radii) {
+    report.mean_curvature += 1 / radius;
+    report.rms_curvature += 1 / (radius * radius);
+    if (radius < sharp * report.minimum_radius) report.sharp_hinges += 1;
+  }
+  const auto count = static_cast<double>(radii.size());
+  report.mean_curvature /= count;
+  report.rms_curvature = std::sqrt(report.rms_curvature / count);
+  report.sharp_hinges /= count;
 }
 
 }  // namespace
@@ -116,30 +157,23 @@ PackingReport measure_packing(const FiberState& state, const Mat3& asked) {
   report.orientation_reached = orientation_tensor(state, Weighting::length);
   report.orientation_error = (report.orientation_reached - asked).cwiseAbs().maxCoeff();
   report.volume_fraction = volume_fraction(state);
-  report.minimum_radius = minimum_radius(state);
-  const std::vector<double> radii = hinge_radii(state);
-  for (const double radius : radii) report.mean_curvature += 1 / radius / static_cast<double>(radii.size());
+  report.orientation4_reached = orientation_tensor4(state, Weighting::length);
+  measure_curvature(state, report);
 
-  double unit = 0, mean_diameter = 0;
-  for (Index f = 0; f < state.fiber_count(); ++f) {
-    unit = std::max(unit, state.material(f).diameter());
-    mean_diameter += state.material(f).diameter() / state.fiber_count();
-  }
+  double unit = 0;
+  for (Index f = 0; f < state.fiber_count(); ++f) unit = std::max(unit, state.material(f).diameter());
   const Chains chains = chains_of(state, unit);
   const PairCounts counts = count_pairs(chains);
   report.largest_overlap = counts.largest_overlap;
   const double fibers = state.fiber_count();
   report.contacts_per_fiber = static_cast<double>(counts.contacts) / fibers;
-  const double length = mean_lengths(state).number_average, density = fibers / state.cell.volume();
   const double sine = mean_sine(chains);
-  const auto expected = [&](double distance) {
-    return expected_within(distance * mean_diameter, density, length, sine);
-  };
-  report.contacts_random = expected(contact_distance);
+  const RandomFibers random(state);
+  report.contacts_random = random.within(contact_distance, sine);
   for (std::size_t b = 0; b < bin_count; ++b) {
     const double low = bin_width * static_cast<double>(b), high = low + bin_width;
-    report.pair_distances.push_back(
-        {low, high, static_cast<double>(counts.bins[b]) / fibers, expected(high) - expected(low)});
+    report.pair_distances.push_back({low, high, static_cast<double>(counts.bins[b]) / fibers,
+                                     random.within(high, sine) - random.within(low, sine)});
   }
   return report;
 }
