@@ -1,4 +1,4 @@
-// Runs the stages of packing: spread, bundle or compress, part or bend, settle, ease, rest.
+// Runs the stages of packing: spread, untangle, bundle or compress, part or bend, settle, ease, rest.
 #include "packing/packer.hpp"
 
 #include <fmt/format.h>
@@ -26,6 +26,12 @@ constexpr double straight_limit = 5;  // straight fibers fit below a volume frac
 constexpr int straight_steps = 2000;
 constexpr int clearance_steps = 200;
 constexpr double first_bending = 7;  // that of glass of 19 um under the default contact law
+// Fibers that press harder than contacts of that law can bear pass through one another, the more of them the
+// stiffer they are made; back at their own stiffness they have less to press for.
+constexpr double untangle_stress[] = {16, 8, 4, 2, 1};  // times first_bending
+constexpr int untangle_steps = 100;                     // each
+constexpr double untangle_saturation = 1.0 / 19;        // the ramp of that law
+constexpr double untangle_decay = -1.4;                 // the deeper they overlap, the less they repel
 constexpr double bending_decay = 0.1;
 constexpr double least_bending = 1e-4;
 constexpr int bending_steps = 100;
@@ -111,6 +117,7 @@ Chains Packer::disperse() {
   });
   spread(coarse);
   Chains chains = divide_chains(coarse, request_, final_rods);
+  untangle(chains);
   bend(chains);
   return chains;
 }
@@ -164,6 +171,19 @@ void Packer::spread(Chains& chains) {
   energy.repulsion.stiffness = spread_stiffness;
   stage_ = "spread";
   relax(minimiser, energy, spread_steps, {-1, 0});
+}
+
+void Packer::untangle(Chains& chains) {
+  Minimiser minimiser(chains, target_);
+  minimiser.finish();
+  PackingEnergy energy = plain_energy();
+  energy.repulsion.saturation = untangle_saturation;
+  energy.repulsion.decay = untangle_decay;
+  stage_ = "untangle";
+  for (const double stress : untangle_stress) {
+    energy.bending = stress * first_bending;
+    relax(minimiser, energy, untangle_steps, {-1, 0});
+  }
 }
 
 bool Packer::part_straight() {

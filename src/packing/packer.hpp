@@ -1,4 +1,4 @@
-// Runs the stages of packing: spread, bundle or compress, part or bend, settle, ease, rest.
+// Runs the stages of packing: spread, untangle, bundle or compress, part or bend, settle, ease, rest.
 #pragma once
 
 #include <functional>
@@ -37,6 +37,7 @@ class Packer {
   [[nodiscard]] Chains bundle_up();
   [[nodiscard]] Chains compress();
   void spread(Chains& chains);
+  void untangle(Chains& chains);
   void bend(Chains& chains);
   void ease(Minimiser& minimiser, PackingEnergy energy);
   [[nodiscard]] Goal goal() const;
