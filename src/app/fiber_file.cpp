@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/checkpoint.hpp"
 #include "app/fiber_frame.hpp"
 #include "app/legacy_positions.hpp"
@@ -16,12 +18,14 @@ namespace {
 /// Holds shapes as a file gives them, and the cell where it tells one.
 struct FiberShapes {
   std::vector<std::vector<Vec3>> fibers;
+  std::vector<std::uint16_t> kinds;  ///< one a fiber; empty: all are of the first kind
   std::optional<Cell> cell;
 };
 
 FiberShapes shapes_of(const FiberState& state) {
   FiberShapes shapes;
   shapes.cell = state.cell;
+  shapes.kinds = state.material_id;
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber)
     shapes.fibers.emplace_back(state.position.begin() + state.begin_node(fiber),
                                state.position.begin() + state.end_node(fiber));
@@ -54,9 +58,16 @@ FiberShapes read_shapes(const std::string& path) {
   return shapes;
 }
 
+void require_kinds(const std::string& path, const FiberShapes& shapes, std::size_t known) {
+  const auto most = std::max_element(shapes.kinds.begin(), shapes.kinds.end());
+  if (most == shapes.kinds.end() || *most < known) return;
+  throw InputError(fmt::format("{} holds {} kinds of fibers, and {} are described", path, *most + 1, known),
+                   "describe the others, in their order, with fibers.more_kinds");
+}
+
 }  // namespace
 
-FiberState read_fiber_file(const std::string& path, const FiberMaterial& material,
+FiberState read_fiber_file(const std::string& path, const std::vector<FiberMaterial>& materials,
                            const std::optional<Vec3>& cell_size) {
   FiberShapes shapes;
   try {
@@ -67,12 +78,13 @@ FiberState read_fiber_file(const std::string& path, const FiberMaterial& materia
   }
   if (shapes.fibers.empty()) throw InputError(path + " holds no fibers", "give a file with at least one");
   if (!shapes.cell && !cell_size) throw InputError(path + " does not tell its cell", "give cell.size");
+  require_kinds(path, shapes, materials.size());
   FiberState state;
-  state.materials = {material};
+  state.materials = materials;
   state.cell = cell_size ? rectangular_cell(*cell_size) : *shapes.cell;
   for (std::size_t i = 0; i < shapes.fibers.size(); ++i) {
     try {
-      append_fiber(state, {shapes.fibers[i], 0});
+      append_fiber(state, {shapes.fibers[i], shapes.kinds.empty() ? std::uint16_t{0} : shapes.kinds[i]});
     } catch (const InputError& error) {
       const InputProblem& problem = error.problems().front();
       throw InputError(fmt::format("{}: fiber {}: {}", path, i + 1, problem.complaint), problem.remedy);

@@ -16,12 +16,16 @@ using Rows = std::vector<std::vector<double>>;
 std::string how_to_write(const std::vector<Column>& columns) {
   std::vector<std::string> names;
   for (const Column& column : columns) names.push_back(column.name);
+  if (columns.size() == 1)
+    return fmt::format("give a list [{}, ...], or the path of a file with one a line in SI units", names[0]);
   return fmt::format("give rows [[{}], ...], or the path of a file of such rows in SI units",
                      fmt::join(names, ", "));
 }
 
 std::vector<Complaint> read_row(const TomlValue& value, const std::vector<Column>& columns, Rows& rows) {
   const auto* items = std::get_if<std::vector<TomlValue>>(&value.data);
+  const std::vector<TomlValue> single = {value};
+  if (items == nullptr && columns.size() == 1) items = &single;
   if (items == nullptr || items->size() != columns.size())
     return {{fmt::format("not a row of {} quantities", columns.size()), how_to_write(columns), &value}};
   std::vector<Complaint> complaints;
@@ -32,7 +36,8 @@ std::vector<Complaint> read_row(const TomlValue& value, const std::vector<Column
       row.push_back(*number);
     } else {
       Complaint complaint = std::get<Complaint>(reading);
-      complaints.push_back({columns[i].name + ": " + complaint.what, complaint.remedy, &(*items)[i]});
+      const TomlValue* at = items == &single ? &value : &(*items)[i];
+      complaints.push_back({columns[i].name + ": " + complaint.what, complaint.remedy, at});
     }
   }
   rows.push_back(std::move(row));
@@ -87,7 +92,7 @@ std::string write_rows(const Rows& rows, const std::vector<Column>& columns, Num
     std::vector<std::string> items;
     for (std::size_t i = 0; i < row.size(); ++i)
       items.push_back(write_quantity(row[i], columns[i].units, style));
-    lines.push_back(write_list(items));
+    lines.push_back(items.size() == 1 ? items[0] : write_list(items));
   }
   return fmt::format("[{}]", fmt::join(lines, ", "));
 }

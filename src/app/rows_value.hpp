@@ -8,8 +8,9 @@
 
 namespace fiberfate {
 
-/// Reads rows into `rows`: a list of lists, one quantity a column, or the path of a text file (relative to
-/// `folder`) that holds them bare in SI. Tells all that is wrong; `rows` changes only when nothing is.
+/// Reads rows into `rows`: a list of lists, one quantity a column (a plain list for a single column), or the
+/// path of a text file (relative to `folder`) that holds them bare in SI. Tells all that is wrong; `rows`
+/// changes only when nothing is.
 [[nodiscard]] std::vector<Complaint> read_rows(const TomlValue& value, const std::vector<Column>& columns,
                                                const std::string& folder,
                                                std::vector<std::vector<double>>& rows);

@@ -38,13 +38,6 @@ void require_species(const std::vector<FiberSpecies>& species) {
   }
 }
 
-/// Density of all fibers together: shares are of volume.
-double mean_density(const std::vector<FiberSpecies>& species) {
-  double mass = 0;
-  for (const FiberSpecies& one : species) mass += one.volume_share * one.material.density;
-  return mass / total_share(species);
-}
-
 void require_fraction(double fraction, const char* what) {
   if (!(fraction > 0) || !(fraction < 1))
     throw InputError(fmt::format("the {} is {:.4g}", what, fraction), "give a number between 0 and 1");
@@ -143,6 +136,12 @@ double volume_from_weight_fraction(double weight_fraction, double fiber_density,
 double weight_from_volume_fraction(double volume_fraction, double fiber_density, double matrix_density) {
   const double fibers = volume_fraction * fiber_density;
   return fibers / (fibers + (1 - volume_fraction) * matrix_density);
+}
+
+double mean_density(const std::vector<FiberSpecies>& species) {
+  double mass = 0;
+  for (const FiberSpecies& one : species) mass += one.volume_share * one.material.density;
+  return mass / total_share(species);
 }
 
 Population plan_population(const std::vector<FiberSpecies>& species, const ConcentrationRequest& request,

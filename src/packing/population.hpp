@@ -51,6 +51,9 @@ struct Population {
 [[nodiscard]] double weight_from_volume_fraction(double volume_fraction, double fiber_density,
                                                  double matrix_density);
 
+/// Density of all fibers together, by their shares of volume, kg/m³.
+[[nodiscard]] double mean_density(const std::vector<FiberSpecies>& species);
+
 /// Works out count, lengths, rods and cell. A fixed cell rounds the count to the nearest fiber; a fixed count
 /// with a fraction makes a cube that fits exactly. Raises InputError for contradictions and for what cannot
 /// exist (a fraction beyond the densest packing of parallel rods, pi/sqrt(12) = 0.907), saying what would be

@@ -15,10 +15,23 @@
 
 namespace fiberfate {
 
-/// Holds [fibers]: what they are and how many.
+/// Names the smooth laws of length.
+enum class LengthDistributionLaw { weibull, log_normal };
+
+/// Holds [fibers.length_distribution]: a smooth law by its two means.
+struct LengthDistributionChoices {
+  LengthDistributionLaw law = LengthDistributionLaw::weibull;
+  std::optional<double> number_average;  ///< L_N, m; not given: no such law is asked for
+  std::optional<double> weight_average;  ///< L_W, m
+};
+
+/// Holds [fibers]: what they are and how many. One of length, lengths, length_histogram and
+/// length_distribution is given.
 struct FiberChoices {
-  std::optional<double> length;      ///< of every fiber, m
-  LengthHistogram length_histogram;  ///< instead of length; no edges: not given
+  std::optional<double> length;              ///< of every fiber, m
+  std::vector<std::vector<double>> lengths;  ///< rows of one measured length, m
+  LengthHistogram length_histogram;
+  LengthDistributionChoices length_distribution;
   double diameter = 0;               ///< m
   double youngs_modulus = 0;         ///< Pa
   std::optional<double> density;     ///< kg/m³
@@ -26,6 +39,9 @@ struct FiberChoices {
   std::optional<std::int64_t> count;
   std::optional<double> volume_fraction;
   std::optional<double> weight_fraction;
+  /// Rows (length m, diameter m, Young's modulus Pa, density kg/m³, rod length m, volume share relative to
+  /// the first kind).
+  std::vector<std::vector<double>> more_kinds;
 };
 
 /// Names where the fibers come from.
@@ -42,6 +58,11 @@ struct ClusterChoices {
   std::optional<Vec3> direction;            ///< of source = "fiber"; of any length but zero
   Mat3 orientation = Mat3::Identity() / 3;  ///< wanted A2, length-weighted
   OrientationDistribution law = OrientationDistribution::angular_central_gaussian;
+  std::vector<std::vector<double>>
+      directions;  ///< rows of measured directions; where not empty, instead of A2
+  PackingStart start = PackingStart::dispersed;
+  BundleRequest bundle;
+  PackingWeights weights;
   double swelling = PackingRequest{}.swelling;  ///< in diameters
   double minimum_radius =
       PackingRequest{}.minimum_radius;  ///< smallest radius of curvature wanted, m; 0: none
@@ -63,11 +84,17 @@ void describe_sample(KeyTable& table, SampleCase& sample);
 /// Adds the keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
 void describe_contact_law(KeyTable& table, ContactParameters& contact);
 
+/// Tells the law of the lengths of the first kind.
+[[nodiscard]] LengthLaw length_law(const SampleCase& sample);
+/// Tells the materials of all kinds.
+[[nodiscard]] std::vector<FiberMaterial> materials(const SampleCase& sample);
+
 /// Finds what contradicts what.
 void validate_sample(const SampleCase& sample, CaseChecker& checker);
 
-/// Tells what a valid sample asks of plan_population() (source "generate").
-[[nodiscard]] FiberSpecies species(const SampleCase& sample);
+/// Tells what a valid sample asks of plan_population() (source "generate"): the kinds of fibers, at least
+/// one.
+[[nodiscard]] std::vector<FiberSpecies> species(const SampleCase& sample);
 [[nodiscard]] ConcentrationRequest concentration(const SampleCase& sample);
 /// Tells what a valid sample asks of pack(), but for the fibers and the cell, which plan_population() works
 /// out.

@@ -11,13 +11,19 @@ void describe_fibers(KeyTable& table, FiberChoices& fibers) {
                 "cell.size give two; the third follows.");
   table.quantity(
       "fibers.length", fibers.length,
-      {.text = "Length of every fiber. Instead of it, [fibers.length_histogram] gives a distribution.",
+      {.text = "Length of every fiber. Instead of it, fibers.lengths, [fibers.length_histogram] or "
+               "[fibers.length_distribution] gives a distribution.",
        .unit = "m",
        .friendly = "mm",
        .range = Range::between(1e-6, 0.1),
        .need = Need::usual,
        .example = "\"2.5 mm\"",
        .source = "thesis section 3.3.3"});
+  table.rows(
+      "fibers.lengths", fibers.lengths, {{"length", {"m", "mm"}, Range::between(1e-6, 0.1)}},
+      {.text = "Measured lengths, dealt to the fibers in turn: a list, or the path of a text file with one "
+               "length in m a line.",
+       .example = R"(["0.5 mm", "0.8 mm", "2.1 mm"])"});
   table.quantity("fibers.diameter", fibers.diameter,
                  {.text = "Diameter of every fiber.",
                   .unit = "m",
@@ -72,6 +78,44 @@ void describe_amount(KeyTable& table, FiberChoices& fibers) {
        .range = Range::inside(0, 1),
        .example = "\"30 %\"",
        .source = "thesis table 3"});
+}
+
+void describe_more_kinds(KeyTable& table, FiberChoices& fibers) {
+  table.rows(
+      "fibers.more_kinds", fibers.more_kinds,
+      {{"length", {"m", "mm"}, Range::between(1e-6, 0.1)},
+       {"diameter", {"m", "um"}, Range::between(1e-7, 1e-3)},
+       {"youngs_modulus", {"Pa", "GPa"}, Range::between(1e6, 2e12)},
+       {"density", {"kg/m3", "kg/m3"}, Range::between(100, 25000)},
+       {"rod_length", {"m", "mm"}, Range::positive(0.1)},
+       {"volume_share", {"1", "1"}, Range::positive()}},
+      {.text = "More kinds of fibers in the same cell, one row each: [length, diameter, youngs_modulus, "
+               "density, rod_length, volume_share]; the share is relative to the kind that [fibers] "
+               "describes, and the amount of fibers counts all kinds.",
+       .example = R"([["1 mm", "7 um", "230 GPa", "1800 kg/m3", "0.05 mm", 0.5]])"});
+}
+
+void describe_length_distribution(KeyTable& table, LengthDistributionChoices& distribution) {
+  table.section("fibers.length_distribution",
+                "Lengths from a smooth law with given means, instead of fibers.length.");
+  table.choice("fibers.length_distribution.law", distribution.law,
+               {{LengthDistributionLaw::weibull, "weibull", "P(L < x) = 1 - exp(-(x/a)^b), by number"},
+                {LengthDistributionLaw::log_normal, "log_normal", "ln L is normal, by number"}},
+               {.text = "The law."});
+  table.quantity("fibers.length_distribution.number_average", distribution.number_average,
+                 {.text = "Mean length by number, L_N.",
+                  .unit = "m",
+                  .friendly = "mm",
+                  .range = Range::between(1e-6, 0.1),
+                  .example = "\"1.0 mm\"",
+                  .source = "thesis equation 2.5"});
+  table.quantity("fibers.length_distribution.weight_average", distribution.weight_average,
+                 {.text = "Mean length by weight, L_W; at least L_N.",
+                  .unit = "m",
+                  .friendly = "mm",
+                  .range = Range::between(1e-6, 0.1),
+                  .example = "\"2.0 mm\"",
+                  .source = "thesis equation 2.6"});
 }
 
 void describe_lengths(KeyTable& table, LengthHistogram& histogram) {
@@ -132,6 +176,33 @@ void describe_packing(KeyTable& table, ClusterChoices& cluster) {
        {OrientationDistribution::subclusters, "subclusters",
         "a mixture of isotropic, planar and aligned fibers, as in the thesis"}},
       {.text = "How directions with that tensor are distributed.", .source = "thesis section 3.2.1"});
+  table.rows(
+      "cluster.directions", cluster.directions,
+      {{"p1", {"1", "1"}, Range::any()}, {"p2", {"1", "1"}, Range::any()}, {"p3", {"1", "1"}, Range::any()}},
+      {.text = "Measured directions, instead of cluster.orientation: rows [p1, p2, p3] along x, y and z, of "
+               "any length but zero, or the path of a text file of such rows. Each is used equally often.",
+       .example = "[[1, 0, 0], [0.8, 0.6, 0]]"});
+  table.choice("cluster.start", cluster.start,
+               {{PackingStart::dispersed, "dispersed", "single fibers anywhere in the cell"},
+                {PackingStart::bundles, "bundles", "bundles of parallel fibers, as pellets hold them"},
+                {PackingStart::compressed, "compressed",
+                 "the published route: planar fibers at 2.5 % by volume, then the cell is compressed; the "
+                 "orientation is what comes of it"}},
+               {.text = "How the fibers lie before packing parts them.", .source = "thesis section 3.2.1"});
+  table.count(
+      "cluster.bundle_fibers", cluster.bundle.fibers,
+      {.text = "Fibers in a bundle; 7, 19, 37, ... fill hexagons.", .range = Range::between(1, 100000)});
+  table.quantity("cluster.bundle_fraction", cluster.bundle.volume_fraction,
+                 {.text = "Volume fraction of the fibers inside a bundle.",
+                  .friendly = "%",
+                  .range = {0, 0.9068, Range::Ends::open_low}});
+  table.quantity("cluster.curvature_weight", cluster.weights.curvature,
+                 {.text = "What bending more sharply than wanted costs against overlap, which costs 1: where "
+                          "packing cannot have all, more weight means less of that error.",
+                  .range = Range::positive(100)});
+  table.quantity("cluster.orientation_weight", cluster.weights.orientation,
+                 {.text = "What an error of the orientation tensor costs against overlap.",
+                  .range = Range::between(0, 1000)});
   table.quantity(
       "cluster.swelling", cluster.swelling,
       {.text =
@@ -169,7 +240,9 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
        .source = "thesis table 6"});
   describe_fibers(table, sample.fibers);
   describe_amount(table, sample.fibers);
+  describe_more_kinds(table, sample.fibers);
   describe_lengths(table, sample.fibers.length_histogram);
+  describe_length_distribution(table, sample.fibers.length_distribution);
   table.section("matrix", "The melt between the fibers.");
   table.quantity("matrix.density", sample.matrix_density,
                  {.text = "Density of the matrix. Only weight fractions need it.",

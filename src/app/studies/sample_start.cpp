@@ -10,7 +10,7 @@ namespace fiberfate {
 namespace {
 
 StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, Progress& progress) {
-  Population population = plan_population({species(sample)}, concentration(sample), start.seed);
+  Population population = plan_population(species(sample), concentration(sample), start.seed);
   PackingRequest request = packing_request(sample, start.contact, start.seed);
   request.materials = std::move(population.materials);
   request.fibers = std::move(population.fibers);
@@ -36,7 +36,7 @@ StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request
   StartingFibers fibers;
   fibers.state = sample.cluster.source == ClusterSource::fiber
                      ? single_fiber(sample)
-                     : read_fiber_file(sample.cluster.file, species(sample).material, sample.cell_size);
+                     : read_fiber_file(sample.cluster.file, materials(sample), sample.cell_size);
   fibers.state.cell.boundary[1] = request.boundary_y;
   return fibers;
 }
