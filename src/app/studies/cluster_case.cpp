@@ -20,16 +20,27 @@ void describe_cluster(KeyTable& table, ClusterCase& values) {
   table.count("run.threads", values.threads,
               {.text = "Threads; 0 for as many as the machine has.", .range = Range::between(0, 4096)});
   describe_sample(table, values.sample);
+  table.section("boundary", "How the cell ends.");
+  table.choice("boundary.y", values.boundary_y,
+               {{Boundary::periodic, "periodic", "the cell repeats"},
+                {Boundary::walls, "walls", "solid walls at y = 0 and at the far side"}},
+               {.text = "How the cell ends along y; in x and z it is periodic."});
   table.section("contact",
                 "The contact law under which the packing comes to rest: the one that will be run.");
   describe_contact_law(table, values.contact);
+  describe_relaxation(table, values.relaxation);
 }
 
 void validate_cluster(const ClusterCase& values, CaseChecker& checker) {
   validate_sample(values.sample, checker);
-  if (checker.is_sound("cluster.source") && values.sample.cluster.source != ClusterSource::generate)
-    checker.error("cluster.source", "the study cluster only generates",
-                  "remove it, or use study = \"shear_cell\"");
+  validate_relaxation(values.relaxation, checker);
+  if (!checker.is_sound("cluster.source")) return;
+  const ClusterSource source = values.sample.cluster.source;
+  if (source == ClusterSource::fiber)
+    checker.error("cluster.source", "a single fiber is no cluster", "use study = \"shear_cell\"");
+  if (source == ClusterSource::file && !values.relaxation.duration)
+    checker.error("cluster.source", "nothing would be done to the fibers that are read",
+                  "add duration under [relaxation], or let the cluster be generated");
 }
 
 CaseEstimate estimate_cluster(const ClusterCase& values) {

@@ -5,6 +5,7 @@
 
 #include "app/case_checker.hpp"
 #include "app/key_table.hpp"
+#include "app/studies/relaxation.hpp"
 #include "app/studies/sample_case.hpp"
 #include "app/study.hpp"
 
@@ -12,9 +13,11 @@ namespace fiberfate {
 
 struct ClusterCase {
   SampleCase sample;
-  ContactParameters contact;  ///< under which the packing comes to rest
-  std::uint64_t seed = 1;     ///< run.seed
-  int threads = 0;            ///< run.threads; 0: all that the machine has
+  Boundary boundary_y = Boundary::periodic;
+  ContactParameters contact;  ///< under which the packing comes to rest, and relaxes
+  RelaxationChoices relaxation;
+  std::uint64_t seed = 1;  ///< run.seed
+  int threads = 0;         ///< run.threads; 0: all that the machine has
 };
 
 void describe_cluster(KeyTable& table, ClusterCase& values);

@@ -1,5 +1,10 @@
 // Builds the report of the study cluster from the files of its result folder.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "app/studies/cluster_run.hpp"
 #include "app/studies/fiber_sections.hpp"
@@ -8,23 +13,101 @@
 namespace fiberfate {
 namespace {
 
-constexpr double length_bins = 40;
-
 FactsSection asked(const ClusterCase& values) {
   FactsSection section{"asked", "What was asked", sample_facts(values.sample)};
-  section.rows.push_back({"Overlap allowed", values.sample.cluster.overlap_tolerance, "diameters"});
+  section.rows.push_back(
+      {"Weight of curvature", values.sample.cluster.weights.curvature, "", "against overlap"});
+  section.rows.push_back(
+      {"Weight of orientation", values.sample.cluster.weights.orientation, "", "against overlap"});
   section.rows.push_back({"Seed", static_cast<std::int64_t>(values.seed)});
   return section;
 }
 
+std::string percent(double fraction) {
+  return fmt::format("{:.5g} %", 100 * fraction);
+}
+
+std::string millimetres(double length) {
+  return fmt::format("{:.5g} mm", 1e3 * length);
+}
+
+std::string micrometres(double radius) {
+  return std::isnan(radius) ? "straight" : fmt::format("{:.4g} µm", 1e6 * radius);
+}
+
+/// Sets what was asked beside what came out.
+TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
+  const SampleCase& sample = values.sample;
+  TableSection table{"comparison", "Asked and achieved", {{"quantity"}, {"asked"}, {"achieved"}}, {}};
+  const auto add = [&table](const std::string& what, const std::string& asked, const std::string& achieved) {
+    table.rows.push_back({what, asked, achieved});
+  };
+  if (!std::isnan(summary.number("L_N_asked_m"))) {
+    add("L_N", millimetres(summary.number("L_N_asked_m")), millimetres(summary.number("L_N_m")));
+    add("L_W", millimetres(summary.number("L_W_asked_m")), millimetres(summary.number("L_W_m")));
+  }
+  if (sample.fibers.volume_fraction)
+    add("Volume fraction", percent(*sample.fibers.volume_fraction),
+        percent(summary.number("volume_fraction")));
+  if (sample.fibers.count)
+    add("Fibers", fmt::format("{}", *sample.fibers.count), fmt::format("{}", summary.count("fibers")));
+  const Mat3 wanted = summary.tensor("A2_asked"), reached = summary.tensor("A2");
+  for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
+    add(fmt::format("a_{}{}", i + 1, j + 1), fmt::format("{:.5f}", wanted(i, j)),
+        fmt::format("{:.5f}", reached(i, j)));
+  add("Largest overlap", fmt::format("{:.3g} D", sample.cluster.overlap_tolerance),
+      fmt::format("{:.3g} D", summary.number("max_overlap_diameters")));
+  add("Smallest radius of curvature",
+      sample.cluster.minimum_radius > 0 ? micrometres(sample.cluster.minimum_radius) : "as large as comes",
+      micrometres(summary.number("min_radius_m")));
+  return table;
+}
+
 FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "What came out", outcome_facts(summary)};
-  section.rows.insert(section.rows.end(),
-                      {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
-                       {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
-                       {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
-                       {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random")},
-                       {"Packing steps", summary.count("packing_steps")}});
+  section.rows.insert(
+      section.rows.end(),
+      {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
+       {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
+       {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
+       {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
+       {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
+       {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
+        "theory of Toll for straight fibers"},
+       {"Left", summary.text("packing_end")},
+       {"Largest overlap at rest under the contact law", summary.number("max_overlap_at_rest_diameters"),
+        "diameters"},
+       {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
+       {"Packing steps", summary.count("packing_steps")}});
+  if (!summary.text("relaxation_end").empty())
+    section.rows.insert(section.rows.end(),
+                        {{"Relaxation ended", summary.text("relaxation_end")},
+                         {"Relaxed for", summary.number("relaxation_s"), "s"},
+                         {"Orientation changed meanwhile", summary.number("relaxation_orientation_drift")}});
+  return section;
+}
+
+/// Lists the components of A4 that do not vanish in the principal frame, of the law and of the fibers.
+TableSection fourth_moments(const SummaryFile& summary) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> places = {
+      {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+  TableSection table{"A4", "Fourth moments", {{"component of A_4"}, {"directions drawn"}, {"fibers"}}, {}};
+  const std::vector<double> drawn = summary.numbers("A4_drawn"), reached = summary.numbers("A4");
+  for (const auto& [i, j] : places)
+    table.rows.push_back({fmt::format("a_{0}{0}{1}{1}", i + 1, j + 1),
+                          fmt::format("{:.5f}", drawn.at(6 * i + j)),
+                          fmt::format("{:.5f}", reached.at(6 * i + j))});
+  table.caption = "Length-weighted; what a closure would have to guess from A_2.";
+  return table;
+}
+
+HistogramSection lengths(const SummaryFile& summary) {
+  HistogramSection section{
+      "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, summary.numbers("length_edges_m"), {}};
+  section.frames.push_back({"this cluster", summary.numbers("length_fibers")});
+  section.reference = HistogramFrame{"asked", summary.numbers("length_fibers_asked")};
+  section.caption = fmt::format("Chi-square against the input: {:.3g} over {} bins.",
+                                summary.number("length_chi_square"), section.edges.size() - 1);
   return section;
 }
 
@@ -53,15 +136,17 @@ ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& fol
   const SummaryFile summary(folder.summary());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));
+  document.sections.emplace_back(comparison(values, summary));
   document.sections.emplace_back(came_out(summary));
+  document.sections.emplace_back(fourth_moments(summary));
   if (!summary.numbers("pair_distance_low_diameters").empty())
     document.sections.emplace_back(pair_section(summary));
   const VtkhdfReader frames(folder.frames());
-  const std::vector<double> times = {0.0};
-  const double bin = 2 * summary.number("L_W_m") / length_bins;
-  document.sections.emplace_back(length_section(frames, times, bin));
-  document.sections.emplace_back(curvature_section(frames, times));
+  if (!summary.numbers("length_edges_m").empty()) document.sections.emplace_back(lengths(summary));
+  document.sections.emplace_back(curvature_section(frames, {0.0}));
   document.sections.emplace_back(fibers_section(frames, ""));
+  for (LinesSection& section : projection_sections(frames))
+    document.sections.emplace_back(std::move(section));
   document.sections.emplace_back(effort_section(summary));
   return document;
 }

@@ -9,6 +9,8 @@
 #include "app/fiber_frame.hpp"
 #include "app/run_log.hpp"
 #include "app/signals.hpp"
+#include "app/studies/fiber_sections.hpp"
+#include "app/studies/length_comparison.hpp"
 #include "app/studies/sample_start.hpp"
 #include "app/summary.hpp"
 #include "base/error.hpp"
@@ -36,45 +38,131 @@ void append_pair_distances(OwnValues& own, const PackingReport& packing) {
                          {"pair_distance_per_fiber_random", random}});
 }
 
-OwnValues own_values(const FiberState& state, const PackingReport& packing) {
-  OwnValues own = {{"A2_asked", packing.orientation_asked},
-                   {"A2_number", orientation_tensor(state, Weighting::number)},
-                   {"orientation_error", packing.orientation_error},
-                   {"max_overlap_diameters", packing.largest_overlap},
-                   {"min_radius_m", packing.minimum_radius},
-                   {"mean_curvature_per_m", packing.mean_curvature},
-                   {"contacts_per_fiber", packing.contacts_per_fiber},
-                   {"contacts_per_fiber_random", packing.contacts_random},
-                   {"packing_steps", static_cast<std::int64_t>(packing.steps)},
-                   {"packing_s", packing.wall_seconds},
-                   {"lattice_m", state.cell.lattice}};
-  append_pair_distances(own, packing);
-  return own;
+std::vector<double> components(const Mat6& tensor) {
+  std::vector<double> rows;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) rows.push_back(tensor(i, j));
+  return rows;
 }
 
-void write_results(const ClusterCase& values, const ResultFolder& folder, const StartingFibers& fibers,
+void append_lengths(OwnValues& own, const SampleCase& sample, const FiberState& state) {
+  if (sample.cluster.source != ClusterSource::generate) return;
+  const LengthComparison lengths = compare_lengths(sample, fiber_lengths(state));
+  own.insert(own.end(), {{"L_N_asked_m", lengths.number_average},
+                         {"L_W_asked_m", lengths.weight_average},
+                         {"length_edges_m", lengths.edges},
+                         {"length_fibers", lengths.found},
+                         {"length_fibers_asked", lengths.expected},
+                         {"length_chi_square", lengths.chi_square}});
+}
+
+void append_relaxation(OwnValues& own, const std::optional<RelaxedFibers>& relaxed) {
+  if (!relaxed) return;
+  own.insert(own.end(), {{"relaxation_end", std::string(name(relaxed->end))},
+                         {"relaxation_s", relaxed->simulated},
+                         {"relaxation_orientation_drift", relaxed->orientation_drift}});
+}
+
+const char* name(PackingEnd end) {
+  return end == PackingEnd::at_rest ? "at_rest" : "separated";
+}
+
+OwnValues own_values(const FiberState& state, const PackingReport& packing) {
+  return {{"A2_asked", packing.orientation_asked},
+          {"A2_number", orientation_tensor(state, Weighting::number)},
+          {"A4", components(packing.orientation4_reached)},
+          {"A4_drawn", components(packing.orientation4_drawn)},
+          {"orientation_error", packing.orientation_error},
+          {"max_overlap_diameters", packing.largest_overlap},
+          {"min_radius_m", packing.minimum_radius},
+          {"mean_curvature_per_m", packing.mean_curvature},
+          {"rms_curvature_per_m", packing.rms_curvature},
+          {"sharp_hinges", packing.sharp_hinges},
+          {"contacts_per_fiber", packing.contacts_per_fiber},
+          {"contacts_per_fiber_random", packing.contacts_random},
+          {"packing_end", std::string(name(packing.end))},
+          {"max_overlap_at_rest_diameters", packing.overlap_at_rest},
+          {"min_radius_at_rest_m", packing.minimum_radius_at_rest},
+          {"packing_steps", static_cast<std::int64_t>(packing.steps)},
+          {"packing_s", packing.wall_seconds},
+          {"lattice_m", state.cell.lattice}};
+}
+
+/// Holds everything that the study made.
+struct Cluster {
+  FiberState state;
+  PackingReport packing;
+  std::optional<RelaxedFibers> relaxed;
+};
+
+/// Measures the fibers as they are now; what packing told of its course stays.
+void measure_again(Cluster& cluster) {
+  PackingReport now = measure_packing(cluster.state, cluster.packing.orientation_asked);
+  now.orientation4_drawn = cluster.packing.orientation4_drawn;
+  now.end = cluster.packing.end;
+  now.overlap_at_rest = cluster.packing.overlap_at_rest;
+  now.minimum_radius_at_rest = cluster.packing.minimum_radius_at_rest;
+  now.steps = cluster.packing.steps;
+  now.wall_seconds = cluster.packing.wall_seconds;
+  cluster.packing = std::move(now);
+}
+
+Cluster make_cluster(const ClusterCase& values, Progress& progress) {
+  StartingFibers fibers =
+      make_fibers(values.sample, {values.contact, values.boundary_y, values.seed}, progress);
+  Cluster cluster;
+  cluster.state = std::move(fibers.state);
+  cluster.packing =
+      fibers.packing ? std::move(*fibers.packing)
+                     : measure_packing(cluster.state, orientation_tensor(cluster.state, Weighting::length));
+  if (values.relaxation.duration) {
+    cluster.relaxed = relax_fibers(values.relaxation, values.contact, cluster.state, progress);
+    cluster.state = cluster.relaxed->state;
+    measure_again(cluster);
+  }
+  return cluster;
+}
+
+void write_results(const ClusterCase& values, const ResultFolder& folder, const Cluster& cluster,
                    double begin_wall) {
-  const PackingReport packing =
-      fibers.packing ? *fibers.packing : measure_packing(fibers.state, values.sample.cluster.orientation);
   VtkhdfWriter frames(folder.frames(), 0);
-  frames.append(fiber_frame(fibers.state));
+  frames.append(fiber_frame(cluster.state));
   frames.finish();
   Checkpoint checkpoint;
-  checkpoint.state = fibers.state;
+  checkpoint.state = cluster.state;
   checkpoint.record.frames = 1;
   checkpoint.record.wall_s = wall_seconds() - begin_wall;
   checkpoint.record.cpu_s = cpu_seconds();
   checkpoint.resolved_case = read_file(folder.resolved_case());
   save_checkpoint(folder, checkpoint);
   RunSummary summary;
-  describe_fibers(summary, fibers.state);
+  describe_fibers(summary, cluster.state);
   summary.study = "cluster";
   summary.seed = values.seed;
   summary.wall_s = checkpoint.record.wall_s;
   summary.cpu_s = checkpoint.record.cpu_s;
-  summary.max_overlap = 2 * packing.largest_overlap;
-  summary.own = own_values(fibers.state, packing);
+  summary.max_overlap = 2 * cluster.packing.largest_overlap;
+  summary.own = own_values(cluster.state, cluster.packing);
+  append_lengths(summary.own, values.sample, cluster.state);
+  append_relaxation(summary.own, cluster.relaxed);
+  append_pair_distances(summary.own, cluster.packing);
   write_summary(folder.summary(), summary);
+}
+
+/// Tells in a line what came out, and warns of what did not.
+void tell(const Cluster& cluster, RunLog& log) {
+  log.note(fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
+                       100 * volume_fraction(cluster.state)));
+  if (!cluster.relaxed) return;
+  if (cluster.relaxed->end == RelaxationEnd::met) {
+    log.note(fmt::format("relaxed in {:.4g} ms", 1e3 * cluster.relaxed->simulated));
+    return;
+  }
+  log.warn(
+      fmt::format("relaxing ended ({}) after {:.4g} ms at an overlap of {:.3g} diameters and a radius of "
+                  "{:.4g} um",
+                  name(cluster.relaxed->end), 1e3 * cluster.relaxed->simulated,
+                  cluster.packing.largest_overlap, 1e6 * cluster.packing.minimum_radius));
 }
 
 }  // namespace
@@ -88,11 +176,9 @@ StopReason run_cluster(const ClusterCase& values, const RunOptions& options, Res
   log.note("packing");
   try {
     Progress progress(options.progress);
-    const StartingFibers fibers =
-        make_fibers(values.sample, {values.contact, Boundary::periodic, values.seed}, progress);
-    write_results(values, folder, fibers, begin_wall);
-    log.note(fmt::format("packed {} fibers, {:.4g} % by volume", fibers.state.fiber_count(),
-                         100 * volume_fraction(fibers.state)));
+    const Cluster cluster = make_cluster(values, progress);
+    write_results(values, folder, cluster, begin_wall);
+    tell(cluster, log);
   } catch (const PackingStopped&) {
     log.warn("stopped while packing; resuming will pack again");
     return StopReason::signal;

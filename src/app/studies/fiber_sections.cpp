@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "app/fiber_frame.hpp"
 #include "fibers/observables.hpp"
@@ -15,6 +18,7 @@ namespace {
 constexpr double most_bins = 400;
 constexpr std::int64_t most_nodes = 600000;  // of all frames of a page together: some 10 MB of HTML
 constexpr double curvature_bins = 50;
+constexpr Index most_projected = 400;  // fibers in a projection: more only fill it
 
 std::size_t nearest_frame(const std::vector<double>& times, double time) {
   const auto nearer = [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
@@ -34,12 +38,6 @@ std::vector<FiberState> states_at(const VtkhdfReader& frames, const std::vector<
 
 std::string label_of(const FiberState& state) {
   return fmt::format("{:.4g} s", state.time);
-}
-
-std::vector<double> lengths_of(const FiberState& state) {
-  std::vector<double> lengths;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) lengths.push_back(fiber_length(state, fiber));
-  return lengths;
 }
 
 std::vector<double> curvatures_of(const FiberState& state) {
@@ -149,12 +147,12 @@ HistogramSection length_section(const VtkhdfReader& frames, const std::vector<do
   const std::vector<FiberState> states = states_at(frames, times);
   double longest = 0;
   for (const FiberState& state : states) {
-    for (const double length : lengths_of(state)) longest = std::max(longest, length);
+    for (const double length : fiber_lengths(state)) longest = std::max(longest, length);
   }
   HistogramSection section{
       "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, bin_edges(longest, bin_width), {}};
   for (const FiberState& state : states)
-    section.frames.push_back({label_of(state), counts(lengths_of(state), section.edges)});
+    section.frames.push_back({label_of(state), counts(fiber_lengths(state), section.edges)});
   return section;
 }
 
@@ -174,6 +172,43 @@ HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector
   for (const FiberState& state : states)
     section.frames.push_back({label_of(state), counts(curvatures_of(state), section.edges)});
   return section;
+}
+
+std::vector<double> fiber_lengths(const FiberState& state) {
+  std::vector<double> lengths;
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) lengths.push_back(fiber_length(state, fiber));
+  return lengths;
+}
+
+std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
+  const FiberState state = fibers_of(frames.read(frames.times().size() - 1));
+  const Index stride = 1 + state.fiber_count() / most_projected;
+  constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<LinesSection> sections;
+  for (int along = 2; along >= 0; --along) {
+    const int across = along == 0 ? 1 : 0, up = along == 2 ? 1 : 2;
+    const char* seen = axes[static_cast<std::size_t>(along)];
+    LinesSection section{fmt::format("projection_{}", seen),
+                         fmt::format("Seen along {}", seen),
+                         {axes[static_cast<std::size_t>(across)], "m"},
+                         {axes[static_cast<std::size_t>(up)], "m"},
+                         {},
+                         {{"fibers", {}}}};
+    ReportSeries& fibers = section.series.front();
+    for (Index fiber = 0; fiber < state.fiber_count(); fiber += stride) {
+      for (Index node = state.begin_node(fiber); node < state.end_node(fiber); ++node) {
+        const Vec3& x = state.position[static_cast<std::size_t>(node)];
+        fibers.x.push_back(x[across]);
+        fibers.values.push_back(x[up]);
+      }
+      fibers.x.push_back(fibers.x.back());
+      fibers.values.push_back(gap);
+    }
+    if (stride > 1) section.caption = fmt::format("One fiber of {} is drawn.", stride);
+    sections.push_back(std::move(section));
+  }
+  return sections;
 }
 
 FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption) {

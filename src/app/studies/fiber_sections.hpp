@@ -45,6 +45,12 @@ struct Curve {
 [[nodiscard]] HistogramSection curvature_section(const VtkhdfReader& frames,
                                                  const std::vector<double>& times);
 
+/// Lists the lengths of fibers, m.
+[[nodiscard]] std::vector<double> fiber_lengths(const FiberState& state);
+
+/// Draws the fibers of the last frame as they are seen along each axis: three sections.
+[[nodiscard]] std::vector<LinesSection> projection_sections(const VtkhdfReader& frames);
+
 /// Shows the cell at as many frames as a page can carry.
 [[nodiscard]] FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption);
 

@@ -1,0 +1,68 @@
+// Counts fibers by length and what the laws of a case expect in the same bins.
+#include "app/studies/length_comparison.hpp"
+
+#include <algorithm>
+
+#include "app/studies/fiber_sections.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr double bins_to_twice_weight_average = 40;
+// The law itself, as a stratified sample so large that its own coarseness does not show.
+constexpr std::size_t law_sample = 100000;
+
+struct WeightedLengths {
+  std::vector<double> lengths;
+  double share;  ///< of the number of fibers, relative
+};
+
+std::vector<WeightedLengths> laws_of(const SampleCase& sample) {
+  std::vector<WeightedLengths> laws;
+  for (const FiberSpecies& kind : species(sample)) {
+    const double volume = kind.material.radius * kind.material.radius * number_average(kind.length);
+    laws.push_back({sample_lengths(kind.length, law_sample, 1), kind.volume_share / volume});
+  }
+  return laws;
+}
+
+void measure_means(const std::vector<WeightedLengths>& laws, LengthComparison& comparison) {
+  double number = 0, first = 0, second = 0;
+  for (const WeightedLengths& law : laws) {
+    for (const double length : law.lengths) {
+      number += law.share;
+      first += law.share * length;
+      second += law.share * length * length;
+    }
+  }
+  comparison.number_average = first / number;
+  comparison.weight_average = second / first;
+}
+
+}  // namespace
+
+LengthComparison compare_lengths(const SampleCase& sample, const std::vector<double>& lengths) {
+  LengthComparison comparison;
+  const std::vector<WeightedLengths> laws = laws_of(sample);
+  measure_means(laws, comparison);
+  comparison.edges = sample.fibers.length_histogram.edges;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  if (comparison.edges.empty() || comparison.edges.back() < longest)
+    comparison.edges = bin_edges(longest, 2 * comparison.weight_average / bins_to_twice_weight_average);
+  comparison.found = counts(lengths, comparison.edges);
+  comparison.expected.assign(comparison.found.size(), 0.0);
+  double shares = 0;
+  for (const WeightedLengths& law : laws) shares += law.share;
+  for (const WeightedLengths& law : laws) {
+    const std::vector<double> own = counts(law.lengths, comparison.edges);
+    const double scale = static_cast<double>(lengths.size()) * law.share / shares / law_sample;
+    for (std::size_t bin = 0; bin < own.size(); ++bin) comparison.expected[bin] += scale * own[bin];
+  }
+  for (std::size_t bin = 0; bin < comparison.found.size(); ++bin) {
+    const double expected = comparison.expected[bin], excess = comparison.found[bin] - expected;
+    if (expected > 0) comparison.chi_square += excess * excess / expected;
+  }
+  return comparison;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,24 @@
+// Compares the lengths of fibers with the law that was asked for (thesis figure 3.8).
+#pragma once
+
+#include <vector>
+
+#include "app/studies/sample_case.hpp"
+
+namespace fiberfate {
+
+/// Counts fibers by length beside what the law expects.
+struct LengthComparison {
+  std::vector<double> edges;     ///< of the bins, m; those of the histogram where the case gives one
+  std::vector<double> found;     ///< fibers
+  std::vector<double> expected;  ///< fibers
+  /// Pearson's sum of (found − expected)²/expected over bins where fibers are expected.
+  double chi_square = 0;
+  double number_average = 0;  ///< L_N of the law, m
+  double weight_average = 0;  ///< L_W of the law, m
+};
+
+/// Compares the lengths of a generated sample's fibers, all kinds together, with the laws of the case.
+[[nodiscard]] LengthComparison compare_lengths(const SampleCase& sample, const std::vector<double>& lengths);
+
+}  // namespace fiberfate
