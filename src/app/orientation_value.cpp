@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "base/error.hpp"
+#include "microstructure/orientation_sampling.hpp"
 
 namespace fiberfate {
 namespace {
@@ -68,12 +68,13 @@ Reading<Mat3> read_orientation(const TomlValue& value) {
   if ((*tensor - tensor->transpose()).cwiseAbs().maxCoeff() > symmetry_rounding)
     return Complaint{"the tensor is not symmetric", "give a12 = a21, a13 = a31, a23 = a32"};
   const double trace = tensor->trace();
-  if (!(std::abs(trace - 1) <= trace_rounding))
-    return Complaint{fmt::format("the trace is {:.6g}, not 1", trace), "let a11 + a22 + a33 = 1"};
-  const double smallest = Eigen::SelfAdjointEigenSolver<Mat3>(*tensor).eigenvalues().minCoeff();
-  if (smallest < -symmetry_rounding)
-    return Complaint{fmt::format("a principal value is negative ({:.4g})", smallest),
-                     "no fibers have such a tensor; check the signs and sizes of the components"};
+  const bool rounded = std::abs(trace - 1) <= trace_rounding;
+  try {
+    require_admissible(rounded ? Mat3(*tensor / trace) : *tensor);
+  } catch (const InputError& error) {
+    const InputProblem& problem = error.problems().front();
+    return Complaint{problem.complaint, problem.remedy};
+  }
   if (std::abs(trace - 1) > exact_trace) *tensor /= trace;
   return *tensor;
 }

@@ -1,6 +1,7 @@
 // Packs fibers: checks the request, runs the stages and measures the result.
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@
 
 namespace fiberfate {
 namespace {
+
+constexpr double densest_parallel = 0.9068996821171089;  // cylinders on a hexagonal lattice, pi / sqrt(12)
+constexpr double densest_crossed = 3 * pi / 16;          // three perpendicular sets of parallel cylinders
 
 void require_tolerances(const PackingRequest& request) {
   if (!(request.overlap_tolerance > 0) || !(request.overlap_tolerance < 1))
@@ -44,10 +48,15 @@ void require_room(const PackingRequest& request) {
     const double radius = request.materials[fiber.material_id].radius;
     volume += pi * radius * radius * fiber.length;
   }
-  constexpr double densest = 0.9068996821171089;  // parallel cylinders, pi / sqrt(12)
-  if (volume / request.cell.volume() >= densest)
-    throw InputError(fmt::format("the fibers fill {:.4g} of the cell", volume / request.cell.volume()),
-                     fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest));
+  const double fraction = volume / request.cell.volume();
+  const bool free = !request.orientation.directions.empty() || !holds_orientation(request.start);
+  const double densest = free ? densest_parallel : densest_fraction(request.orientation.tensor);
+  if (fraction >= densest)
+    throw InputError(
+        fmt::format("the fibers fill {:.4g} of the cell", fraction),
+        fmt::format("fibers with this orientation fill at most {:.4g}, parallel ones {:.4g}: lower the "
+                    "concentration, or align them",
+                    densest, densest_parallel));
   for (int i = 0; i < 3; ++i) {
     if (request.cell.height(i) < 2 * thickest_diameter(request))
       throw InputError(
@@ -74,12 +83,9 @@ class SuitableThreads {
   int before_;
 };
 
-/// Tells whether a packing at rest is as good as was asked, but for a little overlap that carries its
-/// contacts.
+/// Tells whether a packing at rest is as good as was asked.
 bool may_rest(const PackingReport& rest, const PackingRequest& request) {
-  constexpr double overlap_at_rest = 0.02;  // diameters
-  return rest.largest_overlap < std::max(overlap_at_rest, request.overlap_tolerance) &&
-         rest.minimum_radius >= request.minimum_radius &&
+  return rest.largest_overlap < request.overlap_tolerance && rest.minimum_radius >= request.minimum_radius &&
          (!holds_orientation(request.start) || rest.orientation_error < request.orientation_tolerance);
 }
 
@@ -98,6 +104,12 @@ void settle_at_rest(Packer& packer, Chains& chains, const PackingRequest& reques
 }
 
 }  // namespace
+
+double densest_fraction(const Mat3& orientation) {
+  const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(orientation).eigenvalues()[2];
+  const double alignment = std::clamp(0.5 * (3 * largest - 1), 0.0, 1.0);
+  return densest_crossed + alignment * (densest_parallel - densest_crossed);
+}
 
 PackingResult pack(const PackingRequest& request,
                    const std::function<void(const PackingProgress&)>& progress) {

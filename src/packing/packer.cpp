@@ -86,6 +86,12 @@ Packer::Packer(const PackingRequest& request, const std::function<void(const Pac
                : sample_orientations(start, lengths, wanted.law, request.seed);
   asked_ = measured ? second_moment(directions, lengths) : wanted.tensor;
   target_ = asked_;
+  const double drawn_error = (second_moment(directions, lengths) - asked_).cwiseAbs().maxCoeff();
+  if (holds_orientation(request.start) && drawn_error >= request.orientation_tolerance)
+    throw InputError(
+        fmt::format("{} fibers cannot have this orientation: the nearest that they have is off by {:.3g}",
+                    lengths.size(), drawn_error),
+        "ask for more fibers, or for an orientation tolerance above that");
   drawn4_ = fourth_moment({directions, lengths});
   straight_ = straight_chains(request, directions);
 }

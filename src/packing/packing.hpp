@@ -91,14 +91,18 @@ struct PackingResult {
   PackingReport report;
 };
 
+/// Largest volume fraction that fibers with this A2 are known to fill: pi / sqrt(12) for parallel ones, 3 pi
+/// / 16 for three perpendicular sets of parallel ones, between them linear in the largest eigenvalue. Not a
+/// theorem, but well beyond what any packing reaches.
+[[nodiscard]] double densest_fraction(const Mat3& orientation);
+
 /// Packs the fibers (docs/theory/packing.md). The result is bitwise the same for any number of threads.
 ///
 /// Overlap, smallest radius and orientation are as asked; but the start `compressed` takes the orientation
-/// that comes, and the report tells it. Then the packing is brought to rest under `rest`,
-/// without friction; that equilibrium is returned where its overlap stays below 2 % of a diameter and the
-/// radius above the one wanted, else the packing before; the report tells which, and both. Raises InputError
-/// for requests that cannot be met by any packing, and SimulationFailure with what was reached when none was
-/// found within the step limit.
+/// that comes, and the report tells it. Then the packing is brought to rest under `rest`, without friction;
+/// that equilibrium is returned where it meets all that was asked too, else the packing before; the report
+/// tells which, and both. Raises InputError for requests that cannot be met by any packing, and
+/// SimulationFailure with what was reached when none was found within the step limit.
 [[nodiscard]] PackingResult pack(const PackingRequest& request,
                                  const std::function<void(const PackingProgress&)>& progress = {});
 

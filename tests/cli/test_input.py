@@ -214,7 +214,8 @@ EXACT = {
         ["case.toml:19:1: [fibers.density]: this is a key, not a table: write density = value under [fibers]"]),
     "tensor": (
         CASE + "[cluster]\norientation = [0.6, 0.3, 0.2]\n",
-        ["case.toml:20:15: cluster.orientation = [0.6, 0.3, 0.2]: the trace is 1.1, not 1: let a11 + a22 + a33 = 1"]),
+        ["case.toml:20:15: cluster.orientation = [0.6, 0.3, 0.2]: the trace of the orientation tensor is 1.1, not 1: "
+         "the nearest possible tensor is [0.5667, 0.2667, 0.1667]"]),
     "single fiber": (
         CASE + '[cluster]\nsource = "fiber"\ndirection = [0.0, 0.0, 0.0]\n',
         ['case.toml:7:9: fibers.count = 10: contradicts cluster.source = "fiber" (line 20): remove it, or give 1',

@@ -52,9 +52,11 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
   if (sample.fibers.count)
     add("Fibers", fmt::format("{}", *sample.fibers.count), fmt::format("{}", summary.count("fibers")));
   const Mat3 wanted = summary.tensor("A2_asked"), reached = summary.tensor("A2");
+  const auto component = [](double value) {
+    return fmt::format("{:.5f}", std::abs(value) < 5e-6 ? 0 : value);
+  };
   for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
-    add(fmt::format("a_{}{}", i + 1, j + 1), fmt::format("{:.5f}", wanted(i, j)),
-        fmt::format("{:.5f}", reached(i, j)));
+    add(fmt::format("a_{}{}", i + 1, j + 1), component(wanted(i, j)), component(reached(i, j)));
   add("Largest overlap", fmt::format("{:.3g} D", sample.cluster.overlap_tolerance),
       fmt::format("{:.3g} D", summary.number("max_overlap_diameters")));
   add("Smallest radius of curvature",
@@ -107,7 +109,7 @@ HistogramSection lengths(const SummaryFile& summary) {
   section.frames.push_back({"this cluster", summary.numbers("length_fibers")});
   section.reference = HistogramFrame{"asked", summary.numbers("length_fibers_asked")};
   section.caption = fmt::format("Chi-square against the input: {:.3g} over {} bins.",
-                                summary.number("length_chi_square"), section.edges.size() - 1);
+                                summary.number("length_chi_square"), summary.count("length_chi_square_bins"));
   return section;
 }
 

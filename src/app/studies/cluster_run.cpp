@@ -53,7 +53,8 @@ void append_lengths(OwnValues& own, const SampleCase& sample, const FiberState& 
                          {"length_edges_m", lengths.edges},
                          {"length_fibers", lengths.found},
                          {"length_fibers_asked", lengths.expected},
-                         {"length_chi_square", lengths.chi_square}});
+                         {"length_chi_square", lengths.chi_square},
+                         {"length_chi_square_bins", static_cast<std::int64_t>(lengths.chi_square_bins)}});
 }
 
 void append_relaxation(OwnValues& own, const std::optional<RelaxedFibers>& relaxed) {

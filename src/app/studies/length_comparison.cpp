@@ -39,6 +39,24 @@ void measure_means(const std::vector<WeightedLengths>& laws, LengthComparison& c
   comparison.weight_average = second / first;
 }
 
+void measure_fit(LengthComparison& comparison) {
+  constexpr double fewest = 5;  // fibers; the sum follows chi-square's law only above about this
+  double other_found = 0, other_expected = 0;
+  const auto add = [&comparison](double found, double expected) {
+    comparison.chi_square += (found - expected) * (found - expected) / expected;
+    ++comparison.chi_square_bins;
+  };
+  for (std::size_t bin = 0; bin < comparison.found.size(); ++bin) {
+    if (comparison.expected[bin] >= fewest) {
+      add(comparison.found[bin], comparison.expected[bin]);
+      continue;
+    }
+    other_found += comparison.found[bin];
+    other_expected += comparison.expected[bin];
+  }
+  if (other_expected > 0) add(other_found, other_expected);
+}
+
 }  // namespace
 
 LengthComparison compare_lengths(const SampleCase& sample, const std::vector<double>& lengths) {
@@ -58,10 +76,7 @@ LengthComparison compare_lengths(const SampleCase& sample, const std::vector<dou
     const double scale = static_cast<double>(lengths.size()) * law.share / shares / law_sample;
     for (std::size_t bin = 0; bin < own.size(); ++bin) comparison.expected[bin] += scale * own[bin];
   }
-  for (std::size_t bin = 0; bin < comparison.found.size(); ++bin) {
-    const double expected = comparison.expected[bin], excess = comparison.found[bin] - expected;
-    if (expected > 0) comparison.chi_square += excess * excess / expected;
-  }
+  measure_fit(comparison);
   return comparison;
 }
 

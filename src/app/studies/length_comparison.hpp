@@ -12,8 +12,10 @@ struct LengthComparison {
   std::vector<double> edges;     ///< of the bins, m; those of the histogram where the case gives one
   std::vector<double> found;     ///< fibers
   std::vector<double> expected;  ///< fibers
-  /// Pearson's sum of (found − expected)²/expected over bins where fibers are expected.
+  /// Pearson's sum of (found − expected)²/expected over the bins where at least five fibers are expected, and
+  /// one more for all the others together.
   double chi_square = 0;
+  int chi_square_bins = 0;
   double number_average = 0;  ///< L_N of the law, m
   double weight_average = 0;  ///< L_W of the law, m
 };

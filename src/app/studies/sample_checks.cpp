@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/studies/sample_case.hpp"
@@ -69,7 +70,11 @@ void validate_lengths(const SampleCase& sample, CaseChecker& checker) {
                "give one more edge than there are heights", checker);
   require_both("fibers.length_distribution.number_average", "fibers.length_distribution.weight_average",
                "a law needs both means", checker);
-  if (!checker.is_sound()) return;
+  const auto sound = [&checker](const char* each) { return checker.is_sound(each); };
+  constexpr std::array keys = {"fibers.length_histogram.edges", "fibers.length_histogram.heights",
+                               "fibers.length_distribution.number_average",
+                               "fibers.length_distribution.weight_average"};
+  if (!checker.is_sound(key) || !std::all_of(keys.begin(), keys.end(), sound)) return;
   try {
     require_admissible(length_law(sample));
   } catch (const InputError& error) {
@@ -183,7 +188,14 @@ void validate_plan(const SampleCase& sample, CaseChecker& checker) {
     return;
   }
   try {
-    static_cast<void>(plan_sample(sample, 1));
+    const std::optional<SamplePlan> plan = plan_sample(sample, 1);
+    const double densest = densest_fraction(sample.cluster.orientation);
+    if (holds_orientation(sample.cluster.start) && sample.cluster.directions.empty() &&
+        plan->volume_fraction >= densest)
+      checker.error(blamed,
+                    fmt::format("the fibers fill {:.4g} of the cell, and with {} they fill at most {:.4g}",
+                                plan->volume_fraction, checker.cite("cluster.orientation"), densest),
+                    "lower the concentration, or align the fibers");
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems())
       checker.error(blamed, problem.complaint, problem.remedy);

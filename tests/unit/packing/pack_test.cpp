@@ -71,13 +71,14 @@ TEST(Pack, LeavesDiluteFibersExactlyStraight) {
 // The overlap at rest follows from the balance of bending and contact: softer fibers sink in less.
 TEST(Pack, ReportsTheEquilibriumUnderTheContactLaw) {
   PackingRequest request = crowded_request();
+  request.rest.force_constant = 50;
   const PackingReport stiff = pack(request).report;
   request.materials[0].youngs_modulus = 1e9;
   const PackingResult soft = pack(request);
   EXPECT_GT(stiff.overlap_at_rest, soft.report.overlap_at_rest);
   EXPECT_EQ(soft.report.end, PackingEnd::at_rest);
   EXPECT_EQ(soft.report.largest_overlap, soft.report.overlap_at_rest);
-  EXPECT_LT(soft.report.overlap_at_rest, 0.02);
+  EXPECT_LT(soft.report.overlap_at_rest, 0.01);
   EXPECT_EQ(soft.report.minimum_radius, minimum_radius(soft.state));
 }
 
@@ -118,15 +119,37 @@ TEST(Pack, TakesMeasuredDirections) {
   EXPECT_NEAR(result.report.orientation_reached(2, 2), 0, 0.005);
 }
 
-TEST(Pack, ReportsProgress) {
-  int calls = 0;
-  PackingProgress last;
-  (void)pack(crowded_request(), [&](const PackingProgress& progress) {
-    ++calls;
-    last = progress;
-  });
-  EXPECT_GT(calls, 5);
-  EXPECT_GT(last.step, 200);
+// As figure 3.6 makes it, but exact: shares of 3D-random, planar-random and aligned fibers.
+TEST(Pack, MixesSubclusters) {
+  PackingRequest request = crowded_request();
+  request.orientation.tensor = Vec3(0.6, 0.3, 0.1).asDiagonal();
+  request.orientation.law = OrientationDistribution::subclusters;
+  const PackingReport report = pack(request).report;
+  EXPECT_LT(report.orientation_error, 0.005);
+  // 0.3 of 3D-random (1/5), 0.4 of planar-random (3/8) and 0.3 aligned have a1111 = 0.51; 40 fibers are
+  // coarse.
+  EXPECT_NEAR(report.orientation4_drawn(0, 0), 0.51, 0.03);
+}
+
+TEST(Pack, BundlesHoldTheirFibersApartAndParallel) {
+  PackingRequest request = crowded_request();
+  request.fibers.assign(70, {0.5e-3, 5, 0});
+  request.start = PackingStart::bundles;
+  request.bundle = {7, 0.5};
+  const PackingResult result = pack(request);
+  EXPECT_LT(result.report.largest_overlap, 0.01);
+  EXPECT_LT(result.report.orientation_error, 0.005);
+  // 19 um sqrt(pi / (2 sqrt(3) 0.5)) = 25.6 um apart, the six around the first.
+  const Vec3 first = fiber_centroid(result.state, 0);
+  int near = 0;
+  for (Index f = 1; f < 7; ++f) {
+    const Vec3 apart = fiber_centroid(result.state, f) - first;
+    const Vec3 whole =
+        apart - result.state.cell.shift(
+                    image_of(result.state.cell, apart + result.state.cell.lattice * Vec3(0.5, 0.5, 0.5)));
+    near += std::abs(whole.norm() - 25.6e-6) < 5e-6;
+  }
+  EXPECT_EQ(near, 6);
 }
 
 std::string refusal(const PackingRequest& request) {
@@ -138,14 +161,47 @@ std::string refusal(const PackingRequest& request) {
   return "accepted";
 }
 
+TEST(Pack, RefusesBundlesThatDoNotFit) {
+  PackingRequest request = crowded_request();
+  request.start = PackingStart::bundles;
+  request.bundle = {19, 0.95};
+  EXPECT_EQ(refusal(request),
+            "fibers fill 0.95 of a bundle: give a fraction above 0 and at most 0.9069 (pi / sqrt 12)");
+  request.bundle = {19, 0.1};
+  EXPECT_EQ(refusal(request).substr(0, 13), "the bundles f");
+}
+
+// The thesis' complaint: compression of planar fibers does not give the orientation that was asked for.
+TEST(Pack, ThePublishedRouteStaysNearlyPlanar) {
+  PackingRequest request = crowded_request();
+  request.start = PackingStart::compressed;
+  const PackingResult result = pack(request);
+  EXPECT_LT(result.report.largest_overlap, 0.01);
+  EXPECT_LT(result.report.orientation_reached(2, 2), 0.1);
+  EXPECT_GT(result.report.orientation_error, 0.2);
+}
+
+TEST(Pack, ReportsProgress) {
+  int calls = 0;
+  PackingProgress last;
+  (void)pack(crowded_request(), [&](const PackingProgress& progress) {
+    ++calls;
+    last = progress;
+  });
+  EXPECT_GT(calls, 5);
+  EXPECT_GT(last.step, 200);
+}
+
 TEST(Pack, RefusesWhatCannotBe) {
   PackingRequest request = crowded_request();
   request.fibers.clear();
   EXPECT_EQ(refusal(request), "there are no fibers to pack: ask for at least one");
   request = crowded_request();
   request.cell = rectangular_cell(Vec3::Constant(0.2e-3));
-  EXPECT_EQ(refusal(request),
-            "the fibers fill 1.418 of the cell: even parallel fibers fill at most 0.9069 (pi / sqrt 12)");
+  EXPECT_EQ(
+      refusal(request),
+      "the fibers fill 1.418 of the cell: fibers with this orientation fill at most 0.589, parallel ones "
+      "0.9069: lower the concentration, or align them");
   request.cell = rectangular_cell(Vec3(10e-3, 10e-3, 30e-6));
   EXPECT_EQ(refusal(request), "the cell is 3e-05 m high: give at least two fiber diameters, 3.8e-05 m");
   request = crowded_request();
@@ -154,6 +210,12 @@ TEST(Pack, RefusesWhatCannotBe) {
   request = crowded_request();
   request.swelling = 0.5;
   EXPECT_EQ(refusal(request), "the swelling is 0.5 diameters: give a number from 1 to 10");
+  request = crowded_request();
+  request = crowded_request();
+  request.fibers.resize(2);
+  EXPECT_EQ(refusal(request),
+            "2 fibers cannot have this orientation: the nearest that they have is off by 0.18: "
+            "ask for more fibers, or for an orientation tolerance above that");
   request = crowded_request();
   request.orientation.tensor = Vec3(0.8, 0.3, -0.1).asDiagonal();
   EXPECT_EQ(refusal(request),
