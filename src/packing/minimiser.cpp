@@ -94,7 +94,7 @@ void Minimiser::add_bending(std::size_t fiber, FiberSums& sums) {
   }
 }
 
-void Minimiser::add_walls(std::size_t fiber) {
+void Minimiser::add_walls(std::size_t fiber, FiberSums& sums) {
   for (int i = 0; i < 3; ++i) {
     if (chains_.cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic) continue;
     const double height = chains_.cell.height(i);
@@ -104,6 +104,7 @@ void Minimiser::add_walls(std::size_t fiber) {
       const double below = std::max(0.0, chains_.radius[fiber] - place);
       const double above = std::max(0.0, place - (height - chains_.radius[fiber]));
       chains_.force[k] += energy_.repulsion.stiffness * (below - above) * normal;
+      sums.overlap = std::max(sums.overlap, 0.5 * std::max(below, above) / chains_.radius[fiber]);
     }
   }
 }
@@ -121,7 +122,7 @@ void Minimiser::load(std::size_t fiber, FiberSums& sums, ChainConstraints& const
     sums.energy += load.energy;
   }
   add_bending(fiber, sums);
-  add_walls(fiber);
+  add_walls(fiber, sums);
   constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[fiber]);
   constraints.project(&chains_.force[begin]);
   for (std::size_t k = begin; k < end; ++k) {

@@ -24,7 +24,7 @@ struct PackingEnergy {
 
 /// Tells how far a minimisation is.
 struct PackingMeasure {
-  double largest_overlap = 0;  ///< in sums of two radii; negative when no rods touch
+  double largest_overlap = 0;  ///< in sums of two radii, of rods and walls; negative when none touch
   double largest_bend = 0;  ///< largest |x_{k+1} − 2 x_k + x_{k−1}| / l² = curvature, per unit of length
   double orientation_error = 0;  ///< largest component of |A2 − A2*|
   double mean_square_force = 0;  ///< per node, after projection
@@ -57,7 +57,7 @@ class Minimiser {
   void load_fibers();
   void load(std::size_t fiber, FiberSums& sums, ChainConstraints& constraints);
   void add_bending(std::size_t fiber, FiberSums& sums);
-  void add_walls(std::size_t fiber);
+  void add_walls(std::size_t fiber, FiberSums& sums);
   PackingMeasure summarise() const;
   void steer(double power);
   void move_fibers(double force, double speed);

@@ -161,6 +161,23 @@ void describe_source(KeyTable& table, ClusterChoices& cluster) {
        .example = "[0.0, 1.0, 1.0]"});
 }
 
+void describe_start(KeyTable& table, ClusterChoices& cluster) {
+  table.choice("cluster.start", cluster.start,
+               {{PackingStart::dispersed, "dispersed", "single fibers anywhere in the cell"},
+                {PackingStart::bundles, "bundles", "bundles of parallel fibers, as pellets hold them"},
+                {PackingStart::compressed, "compressed",
+                 "the published route: planar fibers at 2.5 % by volume, then the cell is compressed; the "
+                 "orientation is what comes of it"}},
+               {.text = "How the fibers lie before packing parts them.", .source = "thesis section 3.2.1"});
+  table.count(
+      "cluster.bundle_fibers", cluster.bundle.fibers,
+      {.text = "Fibers in a bundle; 7, 19, 37, ... fill hexagons.", .range = Range::between(1, 100000)});
+  table.quantity("cluster.bundle_fraction", cluster.bundle.volume_fraction,
+                 {.text = "Volume fraction of the fibers inside a bundle.",
+                  .friendly = "%",
+                  .range = {0, 0.9068, Range::Ends::open_low}});
+}
+
 void describe_packing(KeyTable& table, ClusterChoices& cluster) {
   table.orientation(
       "cluster.orientation", cluster.orientation,
@@ -182,20 +199,6 @@ void describe_packing(KeyTable& table, ClusterChoices& cluster) {
       {.text = "Measured directions, instead of cluster.orientation: rows [p1, p2, p3] along x, y and z, of "
                "any length but zero, or the path of a text file of such rows. Each is used equally often.",
        .example = "[[1, 0, 0], [0.8, 0.6, 0]]"});
-  table.choice("cluster.start", cluster.start,
-               {{PackingStart::dispersed, "dispersed", "single fibers anywhere in the cell"},
-                {PackingStart::bundles, "bundles", "bundles of parallel fibers, as pellets hold them"},
-                {PackingStart::compressed, "compressed",
-                 "the published route: planar fibers at 2.5 % by volume, then the cell is compressed; the "
-                 "orientation is what comes of it"}},
-               {.text = "How the fibers lie before packing parts them.", .source = "thesis section 3.2.1"});
-  table.count(
-      "cluster.bundle_fibers", cluster.bundle.fibers,
-      {.text = "Fibers in a bundle; 7, 19, 37, ... fill hexagons.", .range = Range::between(1, 100000)});
-  table.quantity("cluster.bundle_fraction", cluster.bundle.volume_fraction,
-                 {.text = "Volume fraction of the fibers inside a bundle.",
-                  .friendly = "%",
-                  .range = {0, 0.9068, Range::Ends::open_low}});
   table.quantity("cluster.curvature_weight", cluster.weights.curvature,
                  {.text = "What bending more sharply than wanted costs against overlap, which costs 1: where "
                           "packing cannot have all, more weight means less of that error.",
@@ -251,6 +254,7 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
                   .example = "\"905 kg/m3\"",
                   .source = "polypropylene"});
   describe_source(table, sample.cluster);
+  describe_start(table, sample.cluster);
   describe_packing(table, sample.cluster);
 }
 
