@@ -1,0 +1,64 @@
+// Starts the dynamics from packings: they stay where no flow moves them, and hardly break when sheared.
+#include <gtest/gtest.h>
+
+#include "dynamics/simulation.hpp"
+#include "fibers/observables.hpp"
+#include "packing/packing.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Fibers of 2.5 mm of the Couette study in a smaller cube.
+PackingRequest couette_request(int count, double volume_fraction) {
+  FiberSpecies species;
+  species.material = {9.5e-6, 73e9, 2550};
+  species.length = SingleLength{2.5e-3};
+  species.rod_length = 0.1e-3;
+  ConcentrationRequest amount;
+  amount.count = count;
+  amount.volume_fraction = volume_fraction;
+  const Population population = plan_population({species}, amount, 1);
+  PackingRequest request;
+  request.materials = population.materials;
+  request.fibers = population.fibers;
+  request.cell = rectangular_cell(population.cell_size);
+  return request;
+}
+
+Simulation simulate(const FiberState& state, double rate, double until) {
+  DynamicsParameters parameters;
+  parameters.breakage.law = BreakageLaw::fixed;
+  parameters.breakage.critical_radius = 300e-6;
+  Simulation simulation(parameters, FlowHistory::constant(rate, 200), state);
+  while (simulation.state().time < until) static_cast<void>(simulation.advance(until));
+  return simulation;
+}
+
+// 30 % by weight. The law's equilibrium is what frictionless packing came to, within what friction holds
+// back.
+TEST(PackingStartUp, APackingStaysWhereNothingFlows) {
+  PackingRequest request = couette_request(60, volume_from_weight_fraction(0.3, 2550, 905));
+  request.minimum_radius = 1.2e-3;
+  const PackingResult packed = pack(request);
+  EXPECT_GE(packed.report.minimum_radius, 1.2e-3);
+  Simulation still = simulate(packed.state, 0, 0.01);
+  EXPECT_LT(0.5 * still.contact_statistics().max_overlap, 0.02);
+  EXPECT_EQ(still.state().breaks, 0);
+}
+
+TEST(PackingStartUp, BundlesStayAt21PercentByVolume) {
+  PackingRequest request = couette_request(133, 0.209);
+  request.start = PackingStart::bundles;
+  Simulation still = simulate(pack(request).state, 0, 0.01);
+  EXPECT_LT(0.5 * still.contact_statistics().max_overlap, 0.02);
+}
+
+// From relaxed straight fibers a third of the length is lost in 10 ms.
+TEST(PackingStartUp, LosesLessThanFivePercentOfLengthIn50Milliseconds) {
+  const PackingResult packed = pack(couette_request(60, 0.209));
+  const Simulation sheared = simulate(packed.state, 16.65, 0.05);
+  EXPECT_GT(mean_lengths(sheared.state()).number_average, 0.95 * 2.5e-3);
+}
+
+}  // namespace
+}  // namespace fiberfate
