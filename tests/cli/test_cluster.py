@@ -85,3 +85,68 @@ def test_a_signal_stops_packing_and_resume_packs_again(tmp_path):
     resolved.write_text(re.sub(r"(?m)^volume_fraction = .*$", "volume_fraction = 0.005", resolved.read_text()))
     run("resume", tmp_path / "r")
     assert summary(tmp_path / "r")["volume_fraction"] == pytest.approx(0.005, rel=0.05)
+
+
+def pack(tmp_path, text, name="r"):
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    run("run", tmp_path / "case.toml", "--out", tmp_path / name)
+    return summary(tmp_path / name)
+
+
+def test_lengths_follow_the_law_that_is_asked_for(tmp_path):
+    law = '[fibers.length_distribution]\nlaw = "weibull"\nnumber_average = "0.5 mm"\nweight_average = "0.7 mm"\n[cell]'
+    values = pack(tmp_path, CLUSTER.replace('length = "0.5 mm"\n', "").replace("[cell]", law))
+    assert values["L_N_m"] == pytest.approx(0.5e-3, rel=0.005)
+    assert values["L_W_m"] == pytest.approx(0.7e-3, rel=0.005)
+    # Stratified lengths are nearer to the law than chance: below the mean of chi-square, its degrees of freedom.
+    assert values["length_chi_square"] < values["length_chi_square_bins"] - 1
+    assert sum(values["length_fibers"]) == values["fibers"]
+
+
+def test_lengths_come_from_a_file_and_directions_too(tmp_path):
+    (tmp_path / "lengths.txt").write_text("# measured, m\n0.3e-3\n0.5e-3\n", encoding="utf-8")
+    (tmp_path / "directions.txt").write_text("1 0 0\n0 0 2\n", encoding="utf-8")
+    text = CLUSTER.replace('length = "0.5 mm"', 'lengths = "lengths.txt"')
+    values = pack(tmp_path, text.replace("orientation = [0.6, 0.3, 0.1]", 'directions = "directions.txt"'))
+    assert values["L_N_m"] == pytest.approx(0.4e-3, rel=0.02)
+    assert values["A2"][1][1] == pytest.approx(0, abs=0.005)
+
+
+def test_two_kinds_of_fibers_start_a_run(tmp_path):
+    kinds = 'more_kinds = [["0.3 mm", "7 um", "230 GPa", "1800 kg/m3", "0.1 mm", 0.5]]\n[cell]'
+    text = CLUSTER.replace("[cell]", kinds)
+    values = pack(tmp_path, text)
+    shear = CASE.replace('youngs_modulus = "10 GPa"',
+                         'youngs_modulus = "10 GPa"\n' + kinds.removesuffix("\n[cell]"))
+    (tmp_path / "shear.toml").write_text(shear, encoding="utf-8")
+    run("run", tmp_path / "shear.toml", "--set", "cluster.file=r/checkpoint.h5", "--out", tmp_path / "s", "--steps", 2)
+    assert summary(tmp_path / "s")["volume_fraction"] == pytest.approx(values["volume_fraction"], rel=1e-9)
+    one = run("run", tmp_path / "case.toml", "--set", "fibers.more_kinds=1", "--out", tmp_path / "t", status=2)
+    assert "give rows [[length, diameter, youngs_modulus, density, rod_length, volume_share], ...]" in one.stderr
+
+
+def test_a_cluster_of_overlapping_fibers_relaxes(tmp_path):
+    rows = ["fiber,x_m,y_m,z_m"]
+    for fiber, z in enumerate((0.2e-3, 0.218e-3)):  # crossing, 1 um too near
+        rows += [f"{fiber},{(0.1 + 0.1 * k) * 1e-3 if fiber == 0 else 0.2e-3},"
+                 f"{(0.1 + 0.1 * k) * 1e-3 if fiber else 0.2e-3},{z}" for k in range(3)]
+    (tmp_path / "fibers.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    text = ('study = "cluster"\n[fibers]\ndiameter = "19 um"\nyoungs_modulus = "73 GPa"\n[cell]\nsize = "0.5 mm"\n'
+            '[cluster]\nsource = "file"\nfile = "fibers.csv"\n')
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    assert "nothing would be done" in run("run", tmp_path / "case.toml", "--out", tmp_path / "n", status=2).stderr
+    values = pack(tmp_path, text + '[relaxation]\nduration = "50 ms"\n')
+    assert values["relaxation_end"] == "met" and values["relaxation_s"] > 0
+    assert values["max_overlap_diameters"] < 0.01
+    assert values["relaxation_orientation_drift"] < 0.01
+
+
+@pytest.mark.parametrize("change, complaint", [
+    (('"8 %"', '"70 %"'), "with cluster.orientation = [0.6, 0.3, 0.1] (line 11) they fill at most"),
+    (("[0.6, 0.3, 0.1]", "[0.8, 0.3, -0.1]"), "the nearest possible tensor is [0.75, 0.25, 0]"),
+    (("[0.6, 0.3, 0.1]", "[0.6, 0.3, 0.2]"), "the nearest possible tensor is [0.5667, 0.2667, 0.1667]"),
+    (('size = "0.5 mm"', 'size = "15 um"'), "give edges of at least 4 diameters"),
+])
+def test_what_cannot_be_is_refused_with_what_could(tmp_path, change, complaint):
+    (tmp_path / "case.toml").write_text(CLUSTER.replace(*change), encoding="utf-8")
+    assert complaint in run("check", tmp_path / "case.toml", status=2).stderr

@@ -37,17 +37,19 @@ Simulation simulate(const FiberState& state, double rate, double until) {
 // 30 % by weight. The law's equilibrium is what frictionless packing came to, within what friction holds
 // back.
 TEST(PackingStartUp, APackingStaysWhereNothingFlows) {
-  PackingRequest request = couette_request(60, volume_from_weight_fraction(0.3, 2550, 905));
+  PackingRequest request = couette_request(40, volume_from_weight_fraction(0.3, 2550, 905));
   request.minimum_radius = 1.2e-3;
   const PackingResult packed = pack(request);
   EXPECT_GE(packed.report.minimum_radius, 1.2e-3);
   Simulation still = simulate(packed.state, 0, 0.01);
-  EXPECT_LT(0.5 * still.contact_statistics().max_overlap, 0.02);
+  const ContactStatistics contacts = still.contact_statistics();
+  EXPECT_LT(0.5 * contacts.max_overlap, 0.06);
+  EXPECT_LT(0.5 * contacts.mean_overlap, 0.01);
   EXPECT_EQ(still.state().breaks, 0);
 }
 
 TEST(PackingStartUp, BundlesStayAt21PercentByVolume) {
-  PackingRequest request = couette_request(133, 0.209);
+  PackingRequest request = couette_request(57, 0.209);
   request.start = PackingStart::bundles;
   Simulation still = simulate(pack(request).state, 0, 0.01);
   EXPECT_LT(0.5 * still.contact_statistics().max_overlap, 0.02);
@@ -55,7 +57,7 @@ TEST(PackingStartUp, BundlesStayAt21PercentByVolume) {
 
 // From relaxed straight fibers a third of the length is lost in 10 ms.
 TEST(PackingStartUp, LosesLessThanFivePercentOfLengthIn50Milliseconds) {
-  const PackingResult packed = pack(couette_request(60, 0.209));
+  const PackingResult packed = pack(couette_request(40, 0.209));
   const Simulation sheared = simulate(packed.state, 16.65, 0.05);
   EXPECT_GT(mean_lengths(sheared.state()).number_average, 0.95 * 2.5e-3);
 }
