@@ -38,7 +38,7 @@ struct RodNeighbours::Candidates {
   }
 };
 
-void RodNeighbours::sort(const Chains& chains, RodGrid& grid) {
+void RodNeighbours::sort(const Chains& chains, BoxGrid& grid) {
   const std::size_t nodes = chains.position.size();
   rods_ = nodes - chains.rod_length.size();
   slot_of_node_.assign(nodes, -1);
@@ -84,7 +84,7 @@ void RodNeighbours::refresh(const Chains& chains, std::size_t fiber) {
   }
 }
 
-void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, const RodGrid& grid) {
+void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid) {
   records_.resize(rods_ + 1);
   records_[rods_] = RodRecord{};
   records_[rods_].centre[0] = nowhere;
@@ -127,7 +127,7 @@ bool RodNeighbours::is_own_neighbour(const Chains& chains, const NeighbourRange&
   return along < 2 * (range.swelling * 2 * chains.radius[fiber] + range.reach);
 }
 
-void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, const RodGrid& grid,
+void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid,
                             std::size_t subject, Candidates& candidates) const {
   const SearchKernel search = search_kernel();
   const CentreArrays centres = {x_.data(), y_.data(), z_.data(), reach_.data()};
@@ -191,7 +191,7 @@ void RodNeighbours::keep_near(const NeighbourRange& range, std::size_t subject, 
   }
 }
 
-void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, const RodGrid& grid) {
+void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid) {
   const auto chunks = (rod_count() + chunk_size - 1) / chunk_size;
   std::vector<ChunkLists> found(static_cast<std::size_t>(chunks));
   const DistanceKernel measure = distance_kernel();
@@ -231,7 +231,7 @@ void RodNeighbours::join(const std::vector<ChunkLists>& found) {
 }
 
 void RodNeighbours::build(const Chains& chains, const NeighbourRange& range) {
-  RodGrid grid(chains, range);
+  BoxGrid grid(chains, range);
   sort(chains, grid);
   arrange(chains, range, grid);
   list(chains, range, grid);

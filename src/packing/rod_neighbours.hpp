@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "packing/box_grid.hpp"
 #include "packing/chains.hpp"
-#include "packing/rod_grid.hpp"
 #include "packing/rod_repulsion.hpp"
 
 namespace fiberfate {
@@ -46,16 +46,16 @@ class RodNeighbours {
     std::size_t slot;
     std::int32_t image;
   };
-  void sort(const Chains& chains, RodGrid& grid);
-  void arrange(const Chains& chains, const NeighbourRange& range, const RodGrid& grid);
-  void collect(const Chains& chains, const NeighbourRange& range, const RodGrid& grid, std::size_t subject,
+  void sort(const Chains& chains, BoxGrid& grid);
+  void arrange(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid);
+  void collect(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid, std::size_t subject,
                Candidates& candidates) const;
   [[nodiscard]] bool is_own_neighbour(const Chains& chains, const NeighbourRange& range, std::size_t subject,
                                       const ImagedRod& other) const;
   void keep_near(const NeighbourRange& range, std::size_t subject, const Candidates& candidates,
                  ChunkLists& lists) const;
   void join(const std::vector<ChunkLists>& found);
-  void list(const Chains& chains, const NeighbourRange& range, const RodGrid& grid);
+  void list(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid);
 
   std::size_t rods_ = 0;
   std::int64_t listed_ = 0;

@@ -121,7 +121,7 @@ def test_two_kinds_of_fibers_start_a_run(tmp_path):
     (tmp_path / "shear.toml").write_text(shear, encoding="utf-8")
     run("run", tmp_path / "shear.toml", "--set", "cluster.file=r/checkpoint.h5", "--out", tmp_path / "s", "--steps", 2)
     assert summary(tmp_path / "s")["volume_fraction"] == pytest.approx(values["volume_fraction"], rel=1e-9)
-    one = run("run", tmp_path / "case.toml", "--set", "fibers.more_kinds=1", "--out", tmp_path / "t", status=2)
+    one = run("run", tmp_path / "case.toml", "--set", "fibers.more_kinds=1", "--out", tmp_path / "t", expect=2)
     assert "give rows [[length, diameter, youngs_modulus, density, rod_length, volume_share], ...]" in one.stderr
 
 
@@ -134,7 +134,7 @@ def test_a_cluster_of_overlapping_fibers_relaxes(tmp_path):
     text = ('study = "cluster"\n[fibers]\ndiameter = "19 um"\nyoungs_modulus = "73 GPa"\n[cell]\nsize = "0.5 mm"\n'
             '[cluster]\nsource = "file"\nfile = "fibers.csv"\n')
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    assert "nothing would be done" in run("run", tmp_path / "case.toml", "--out", tmp_path / "n", status=2).stderr
+    assert "nothing would be done" in run("run", tmp_path / "case.toml", "--out", tmp_path / "n", expect=2).stderr
     values = pack(tmp_path, text + '[relaxation]\nduration = "50 ms"\n')
     assert values["relaxation_end"] == "met" and values["relaxation_s"] > 0
     assert values["max_overlap_diameters"] < 0.01
@@ -149,4 +149,4 @@ def test_a_cluster_of_overlapping_fibers_relaxes(tmp_path):
 ])
 def test_what_cannot_be_is_refused_with_what_could(tmp_path, change, complaint):
     (tmp_path / "case.toml").write_text(CLUSTER.replace(*change), encoding="utf-8")
-    assert complaint in run("check", tmp_path / "case.toml", status=2).stderr
+    assert complaint in run("check", tmp_path / "case.toml", expect=2).stderr

@@ -1,5 +1,5 @@
 // Divides a periodic or walled cell into boxes, for finding the rods near a rod.
-#include "packing/rod_grid.hpp"
+#include "packing/box_grid.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -27,7 +27,7 @@ double farthest_centres(const Chains& chains, const NeighbourRange& range) {
 
 }  // namespace
 
-RodGrid::RodGrid(const Chains& chains, const NeighbourRange& range)
+BoxGrid::BoxGrid(const Chains& chains, const NeighbourRange& range)
     : to_fraction_(chains.cell.lattice.inverse()) {
   const double farthest = farthest_centres(chains, range);
   for (int i = 0; i < 3; ++i) {
@@ -41,7 +41,7 @@ RodGrid::RodGrid(const Chains& chains, const NeighbourRange& range)
   }
 }
 
-IntVec3 RodGrid::box(const Vec3& point) const {
+IntVec3 BoxGrid::box(const Vec3& point) const {
   const Vec3 fraction = to_fraction_ * point;
   IntVec3 at;
   for (int i = 0; i < 3; ++i)
@@ -49,21 +49,21 @@ IntVec3 RodGrid::box(const Vec3& point) const {
   return at;
 }
 
-std::int32_t RodGrid::number(const IntVec3& box) const {
+std::int32_t BoxGrid::number(const IntVec3& box) const {
   return (box[2] * count_[1] + box[1]) * count_[0] + box[0];
 }
 
-IntVec3 RodGrid::image(const IntVec3& box) const {
+IntVec3 BoxGrid::image(const IntVec3& box) const {
   return {floor_divide(box[0], count_[0]), floor_divide(box[1], count_[1]), floor_divide(box[2], count_[2])};
 }
 
-std::int32_t RodGrid::number_of_image(const IntVec3& image) const {
+std::int32_t BoxGrid::number_of_image(const IntVec3& image) const {
   const int side = 2 * farthest_image_ + 1;
   return ((image[2] + farthest_image_) * side + image[1] + farthest_image_) * side + image[0] +
          farthest_image_;
 }
 
-BoxRange RodGrid::around(const IntVec3& box, int i) const {
+BoxRange BoxGrid::around(const IntVec3& box, int i) const {
   if (periodic_[static_cast<std::size_t>(i)]) return {box[i] - span_[i], box[i] + span_[i]};
   return {std::max(0, box[i] - span_[i]), std::min(count_[i] - 1, box[i] + span_[i])};
 }

@@ -25,9 +25,9 @@ struct BoxRange {
 
 /// Divides the cell in fractional coordinates. Images of the cell are numbered, as far away as neighbours can
 /// lie.
-class RodGrid {
+class BoxGrid {
  public:
-  RodGrid(const Chains& chains, const NeighbourRange& range);
+  BoxGrid(const Chains& chains, const NeighbourRange& range);
 
   /// The box of a point of the cell; points beyond walls belong to the outermost box.
   [[nodiscard]] IntVec3 box(const Vec3& point) const;
