@@ -218,8 +218,8 @@ TEST(Sample, CountFractionAndCellContradict) {
       "\"0.5 mm\" (line 3): remove all but two of number, fraction and cell; the third follows from them");
   EXPECT_EQ(
       with({"fibers.length_histogram.edges=[\"1 mm\", \"2 mm\"]", "fibers.length_histogram.heights=[1]"}),
-      "c.toml:6:10: fibers.length = \"0.25 mm\": contradicts the histogram of lengths, "
-      "fibers.length_histogram.edges = [\"1 mm\", \"2 mm\"] (command line): remove one of the two");
+      "command line: fibers.length_histogram.edges = [\"1 mm\", \"2 mm\"]: contradicts fibers.length = "
+      "\"0.25 mm\" (line 6): remove one of the two");
 }
 
 TEST(Sample, RefusesWhatCannotBe) {
