@@ -57,7 +57,7 @@ TEST(PackingStartUp, BundlesStayAt21PercentByVolume) {
 
 // From relaxed straight fibers a third of the length is lost in 10 ms.
 TEST(PackingStartUp, LosesLessThanFivePercentOfLengthIn50Milliseconds) {
-  const PackingResult packed = pack(couette_request(40, 0.209));
+  const PackingResult packed = pack(couette_request(150, 0.209));
   const Simulation sheared = simulate(packed.state, 16.65, 0.05);
   EXPECT_GT(mean_lengths(sheared.state()).number_average, 0.95 * 2.5e-3);
 }
