@@ -11,7 +11,9 @@
 #include "continuum/orientation_law.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "continuum/spherical_harmonics.hpp"
+#include "microstructure/admissibility.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "microstructure/exact_closure.hpp"
 
 namespace fiberfate {
 namespace {
@@ -39,6 +41,24 @@ FokkerPlanck::FokkerPlanck(const OrientationModel& model, int degree) : model_(m
 Eigen::VectorXd FokkerPlanck::isotropic() const {
   Eigen::VectorXd psi = Eigen::VectorXd::Zero(size());
   psi[0] = 1 / std::sqrt(4 * pi);
+  return psi;
+}
+
+Eigen::VectorXd FokkerPlanck::with_second_moment(const Mat3& second) const {
+  const Eigenframe frame = eigenframe(second);
+  Vec3 shape;
+  if (!fault_of(second, 1e-6).empty() || !(frame.values[2] > 1e-9) ||
+      !find_exact_shape(frame.values.data(), shape.data()))
+    throw InputError("no smooth distribution of directions has this orientation tensor",
+                     "give three principal values above zero whose sum is 1");
+  // F = exp(G) carries directions so that B = (F Fᵀ)⁻¹.
+  const Mat3 gradient =
+      frame.axes * (-0.5 * shape.array().log()).matrix().asDiagonal() * frame.axes.transpose();
+  Eigen::VectorXd psi = isotropic();
+  FokkerPlanck({}, degree_).advance(psi, gradient, 1, {.absolute = 1e-12, .relative = 1e-12});
+  if ((second_moment(psi) - second).norm() > 1e-5)
+    throw InputError(fmt::format("harmonics up to degree {} do not resolve so aligned a state", degree_),
+                     "raise the degree");
   return psi;
 }
 

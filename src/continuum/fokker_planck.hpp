@@ -34,6 +34,11 @@ class FokkerPlanck {
 
   /// Coefficients of the isotropic distribution, psi = 1/(4 pi).
   [[nodiscard]] Eigen::VectorXd isotropic() const;
+  /// Coefficients of a distribution of the given A2: that into which Jeffery's motion carries the isotropic
+  /// one, psi = (p·B·p)^(-3/2)/(4 pi), whose A4 is that of the exact closure. Raises InputError where A2 is
+  /// not admissible, has a principal value below 1e-9 (psi would be singular), or is too aligned for the
+  /// degree.
+  [[nodiscard]] Eigen::VectorXd with_second_moment(const Mat3& second) const;
   /// A2 and A4 of a distribution.
   [[nodiscard]] Mat3 second_moment(const Eigen::VectorXd& psi) const;
   [[nodiscard]] Mat6 fourth_moment(const Eigen::VectorXd& psi) const;

@@ -10,6 +10,7 @@
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/closure.hpp"
+#include "microstructure/eigenframe.hpp"
 
 namespace fiberfate {
 namespace {
@@ -178,9 +179,10 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
       checker.error("solution.distribution",
                     "a retardation or a potential acts on A2, not on the distribution",
                     "take distribution = \"no\", or no retardation and no potential");
-    if ((values.fibers.orientation - Mat3(Mat3::Identity() / 3)).norm() > 1e-12)
-      checker.error("fibers.orientation", "the distribution function starts from the isotropic state only",
-                    "take orientation = \"isotropic\"");
+    if (eigenframe(values.fibers.orientation).values[2] < 1e-9)
+      checker.error("fibers.orientation",
+                    "no smooth distribution of directions has a principal value of zero",
+                    "give a small one, 0.01 say, or take distribution = \"no\"");
   } else {
     checker.warn_unused({"solution.degree"}, "solution.distribution = \"yes\"");
   }

@@ -104,7 +104,9 @@ void describe_solution(KeyTable& table, OrientationSolutionChoices& solution) {
   table.choice("solution.distribution", solution.distribution,
                {{DistributionChoice::no, "no", "only the tensor equation"},
                 {DistributionChoice::yes, "yes", "also the distribution function, which needs no closure"}},
-               {.text = "Whether the Fokker-Planck equation is solved beside, from the isotropic state."});
+               {.text = "Whether the Fokker-Planck equation is solved beside, from the distribution of the "
+                        "same A2 into which "
+                        "Jeffery's motion carries the isotropic one."});
   table.count("solution.degree", solution.degree,
               {.text = "Highest degree of the spherical harmonics, even; 6/sqrt(C_I) is plenty.",
                .range = Range::between(4, 200)});

@@ -50,7 +50,7 @@ class DistributionFollower {
       : equation_(orientation_model(values), static_cast<int>(values.solution.degree)),
         history_(gradient_history(values.flow)),
         tolerance_{values.solution.tolerance, values.solution.tolerance},
-        psi_(equation_.isotropic()) {}
+        psi_(equation_.with_second_moment(values.fibers.orientation)) {}
 
   [[nodiscard]] Mat3 advance_to(double time) {
     while (time_ < time) {

@@ -10,6 +10,7 @@
 #include "continuum/orientation_jeffery.hpp"
 #include "continuum/orientation_law.hpp"
 #include "microstructure/admissibility.hpp"
+#include "microstructure/closure.hpp"
 
 namespace fiberfate {
 namespace {
@@ -91,6 +92,23 @@ TEST(OrientationDistribution, EnoughDegreesConverge) {
   const FokkerPlanck finest(folgar_tucker(0.1), 24);
   const double best = finest.second_moment(finest.steady(simple_shear_gradient()))(0, 0);
   EXPECT_LT(std::abs(better - best), 1e-3 * std::abs(coarse - best));
+}
+
+TEST(OrientationDistribution, StartsFromAnyOrientationWithTheFourthMomentOfTheExactClosure) {
+  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, Closure::exact, {}};
+  model.constants.c_i = 0.01;
+  model.constants.xi = 0.9;  // not read: the start is that of slender fibers
+  const FokkerPlanck equation(model, 40);
+  Mat3 turn;
+  turn << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
+  const Mat3 second = rotated(Mat3(Vec3(0.55, 0.3, 0.15).asDiagonal()), turn);
+  const Eigen::VectorXd psi = equation.with_second_moment(second);
+  EXPECT_LT((equation.second_moment(psi) - second).norm(), 1e-9);
+  EXPECT_LT((equation.fourth_moment(psi) - close(second, Closure::exact)).norm(), 1e-9);
+  EXPECT_LT((equation.with_second_moment(Mat3::Identity() / 3) - equation.isotropic()).norm(), 1e-12);
+  EXPECT_THROW((void)equation.with_second_moment(Vec3(0.6, 0.4, 0).asDiagonal()), InputError);
+  EXPECT_THROW((void)FokkerPlanck(model, 4).with_second_moment(Vec3(0.9, 0.06, 0.04).asDiagonal()),
+               InputError);
 }
 
 TEST(OrientationDistribution, WhatHasNoDistributionIsRefused) {
