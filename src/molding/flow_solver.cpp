@@ -67,27 +67,21 @@ void FlowSolver::viscosities(const FillingState& state, std::size_t node, std::s
   for (std::size_t k = 0; k < layers; ++k) values[k] *= stretching[begin + k];
 }
 
-double FlowSolver::update_fluidity(const FillingState& state, std::span<const double> stretching,
-                                   FlowField& field) {
-  const std::size_t layers = layers_->count(), n = mesh_->node_count();
+void FlowSolver::update_node(const FillingState& state, std::span<const double> stretching, std::size_t node,
+                             FlowField& field) {
+  const std::size_t layers = layers_->count(), begin = node * layers;
   const bool heat = params_->numerics.heat == HeatModel::full;
-  change_.assign(n, 0);
-  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
-    if (field.wet[i] == 0) return;
-    const std::size_t node = static_cast<std::size_t>(i), begin = node * layers;
-    std::array<double, most_layers> viscosity;
-    viscosities(state, node, stretching, std::span(viscosity).first(layers));
-    for (std::size_t k = 0; k < layers; ++k) {
-      const bool still = heat && state.temperature[begin + k] < params_->material.no_flow_temperature;
-      field.inverse_viscosity[begin + k] = still ? 0 : 1 / viscosity[k];
-    }
-    const double fluidity = std::max(
-        least_fluidity_, flow_through_gap(*layers_, std::span(field.inverse_viscosity).subspan(begin, layers),
-                                          std::span(field.shares).subspan(begin, layers)));
-    change_[node] = std::abs(fluidity - field.fluidity[node]) / fluidity;
-    field.fluidity[node] = fluidity;
-  });
-  return *std::max_element(change_.begin(), change_.end());
+  std::array<double, most_layers> viscosity;
+  viscosities(state, node, stretching, std::span(viscosity).first(layers));
+  for (std::size_t k = 0; k < layers; ++k) {
+    const bool still = heat && state.temperature[begin + k] < params_->material.no_flow_temperature;
+    field.inverse_viscosity[begin + k] = still ? 0 : 1 / viscosity[k];
+  }
+  const double fluidity = std::max(
+      least_fluidity_, flow_through_gap(*layers_, std::span(field.inverse_viscosity).subspan(begin, layers),
+                                        std::span(field.shares).subspan(begin, layers)));
+  change_[node] = std::abs(fluidity - field.fluidity[node]) / fluidity;
+  field.fluidity[node] = fluidity;
 }
 
 void FlowSolver::update_conductances(const FillingState& state, const FlowField& field) {
@@ -136,44 +130,47 @@ void FlowSolver::apply_drive(const Drive& drive, FlowField& field) {
     field.pressure[i] = field.rate * parts_.of_unit_rate[i] + parts_.of_sources[i];
 }
 
-void FlowSolver::update_fluxes(const FillingState& state, FlowField& field) const {
+void FlowSolver::update_fluxes(FlowField& field) const {
   field.edge_flux.assign(conductances_.size(), 0);
   for (std::size_t e = 0; e < conductances_.size(); ++e) {
     const auto [a, b] = mesh_->edges()[e];
     if (field.wet[a] == 0 && field.wet[b] == 0) continue;
     field.edge_flux[e] = conductances_[e] * (field.pressure[a] - field.pressure[b]);
   }
-  parallel_for(static_cast<std::ptrdiff_t>(mesh_->node_count()), [&](std::ptrdiff_t i) {
-    if (field.wet[i] == 0) return;
-    // Least squares over the edges, each of weight 1/length².
-    double xx = 0, xy = 0, yy = 0, x = 0, y = 0;
-    for (const ShellNeighbour& to : mesh_->neighbours(static_cast<std::size_t>(i))) {
-      const bool front = field.wet[to.node] == 0;
-      const double length = front ? to.length * (0.5 + state.filled[to.node]) : to.length;
-      const double slope = (field.pressure[to.node] - field.pressure[i]) / length;
-      const Vec2& u = to.direction;
-      xx += u[0] * u[0];
-      xy += u[0] * u[1];
-      yy += u[1] * u[1];
-      x += u[0] * slope;
-      y += u[1] * slope;
-    }
-    const double det = xx * yy - xy * xy;
-    field.gradient[i] = det > 0 ? Vec2((yy * x - xy * y) / det, (xx * y - xy * x) / det) : Vec2(x, y);
-  });
 }
 
-void FlowSolver::update_rates(FillingState& state, FlowField& field) const {
+Vec2 FlowSolver::gradient_at(const FillingState& state, const FlowField& field, std::size_t node) const {
+  // Least squares over the edges, each of weight 1/length².
+  double xx = 0, xy = 0, yy = 0, x = 0, y = 0;
+  for (const ShellNeighbour& to : mesh_->neighbours(node)) {
+    const bool front = field.wet[to.node] == 0;
+    const double length = front ? to.length * (0.5 + state.filled[to.node]) : to.length;
+    const double slope = (field.pressure[to.node] - field.pressure[node]) / length;
+    const Vec2& u = to.direction;
+    xx += u[0] * u[0];
+    xy += u[0] * u[1];
+    yy += u[1] * u[1];
+    x += u[0] * slope;
+    y += u[1] * slope;
+  }
+  const double det = xx * yy - xy * xy;
+  return det > 0 ? Vec2((yy * x - xy * y) / det, (xx * y - xy * x) / det) : Vec2(x, y);
+}
+
+double FlowSolver::update_melt(FillingState& state, std::span<const double> stretching, FlowField& field) {
   const std::size_t layers = layers_->count();
   parallel_for(static_cast<std::ptrdiff_t>(mesh_->node_count()), [&](std::ptrdiff_t i) {
     if (field.wet[i] == 0) return;
-    const std::size_t node = static_cast<std::size_t>(i);
+    const auto node = static_cast<std::size_t>(i);
     state.pressure[node] = field.pressure[node];
+    field.gradient[node] = gradient_at(state, field, node);
     const double stress = field.gradient[node].norm() * mesh_->thickness(node) / 2;  // at the wall
     for (std::size_t k = 0; k < layers; ++k)
       state.rate[node * layers + k] =
           stress * layers_->shear_heights()[k] * field.inverse_viscosity[node * layers + k];
+    update_node(state, stretching, node, field);
   });
+  return *std::max_element(change_.begin(), change_.end());
 }
 
 void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const double> stretching,
@@ -188,16 +185,18 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
   sources_.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i)
     if (field.wet[i] != 0 && drive.duration > 0) sources_[i] = state.excess[i] / drive.duration;
-  update_fluidity(state, stretching, field);
+  change_.assign(n, 0);
+  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
+    if (field.wet[i] != 0) update_node(state, stretching, static_cast<std::size_t>(i), field);
+  });
   for (int iteration = 0; iteration < params_->numerics.most_iterations; ++iteration) {
     update_conductances(state, field);
     system_.solve({field.wet, conductances_, to_front_, sources_}, state.covered, parts_);
     apply_drive(drive, field);
-    update_fluxes(state, field);
-    update_rates(state, field);
+    update_fluxes(field);
     if (!std::isfinite(field.sprue_pressure))
       throw SimulationFailure("the pressure is not finite", {state.steps, state.time, -1, 0});
-    if (update_fluidity(state, stretching, field) < params_->numerics.viscosity_tolerance) break;
+    if (update_melt(state, stretching, field) < params_->numerics.viscosity_tolerance) break;
   }
 }
 

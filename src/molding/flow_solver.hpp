@@ -42,11 +42,14 @@ class FlowSolver {
 
  private:
   void wet_nodes(const FillingState& state, FlowField& field) const;
-  double update_fluidity(const FillingState& state, std::span<const double> stretching, FlowField& field);
+  void update_node(const FillingState& state, std::span<const double> stretching, std::size_t node,
+                   FlowField& field);
   void update_conductances(const FillingState& state, const FlowField& field);
   void apply_drive(const Drive& drive, FlowField& field);
-  void update_fluxes(const FillingState& state, FlowField& field) const;
-  void update_rates(FillingState& state, FlowField& field) const;
+  void update_fluxes(FlowField& field) const;
+  [[nodiscard]] Vec2 gradient_at(const FillingState& state, const FlowField& field, std::size_t node) const;
+  /// Updates gradients, rates and viscosities; returns the largest change of a fluidity.
+  double update_melt(FillingState& state, std::span<const double> stretching, FlowField& field);
 
   const ShellMesh* mesh_;
   const FillingParams* params_;

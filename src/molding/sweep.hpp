@@ -1,31 +1,43 @@
 // Visits nodes down the flow, a level at a time.
 #pragma once
 
-#include <algorithm>
-#include <span>
+#include <omp.h>
 
-#include "base/threads.hpp"
+#include <algorithm>
+#include <atomic>
+#include <span>
+#include <thread>
+#include <vector>
+
 #include "molding/step_flow.hpp"
 
 namespace fiberfate {
 
 /// Calls body(nodes) for parts of each level in turn, on all threads: what a node takes from upstream is
-/// final. The parts are the same for any number of threads.
+/// final. The parts are the same for any number of threads. `body` must not throw.
+///
+/// Threads take parts in order and wait only until the level before is complete. There is no barrier: levels
+/// are many and small, and a thread that has lost its processor must not stop the others.
 template <class Body>
 void sweep_down_the_flow(const StepFlow& step, const Body& body) {
-  constexpr std::size_t part = 16;
+  constexpr std::size_t nodes_of_a_part = 16;
+  struct Part {
+    std::span<const Index> nodes;
+    std::size_t before;  ///< parts of the levels before
+  };
+  std::vector<Part> parts;
   for (std::size_t level = 0; level + 1 < step.level_begin.size(); ++level) {
-    const std::size_t begin = step.level_begin[level], size = step.level_begin[level + 1] - begin;
-    const auto nodes = std::span(step.order).subspan(begin, size);
-    const std::size_t parts = (size + part - 1) / part;
-    const auto visit = [&](std::ptrdiff_t p) {
-      const std::size_t first = static_cast<std::size_t>(p) * part;
-      body(nodes.subspan(first, std::min(part, size - first)));
-    };
-    if (parts == 1) {
-      visit(0);
-    } else {
-      parallel_for(static_cast<std::ptrdiff_t>(parts), visit);
+    const std::size_t before = parts.size(), end = step.level_begin[level + 1];
+    for (std::size_t first = step.level_begin[level]; first < end; first += nodes_of_a_part)
+      parts.push_back({std::span(step.order).subspan(first, std::min(nodes_of_a_part, end - first)), before});
+  }
+  std::atomic<std::size_t> taken = 0, done = 0;
+#pragma omp parallel
+  {
+    for (std::size_t p = taken++; p < parts.size(); p = taken++) {
+      while (done.load(std::memory_order_acquire) < parts[p].before) std::this_thread::yield();
+      body(parts[p].nodes);
+      done.fetch_add(1, std::memory_order_acq_rel);
     }
   }
 }
