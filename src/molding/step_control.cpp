@@ -149,6 +149,9 @@ FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, co
   if (state.time >= params.process.longest_time * (1 - missing_share)) return FillingEnd::time;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   if (!field.limited || state.flow_rate > least_rate_share * set_rate) return FillingEnd::none;
+  // What is on its way from full nodes moves the front as well.
+  if (total_excess(state) > least_rate_share * mesh.total_volume() / params.numerics.steps)
+    return FillingEnd::none;
   std::size_t frozen = 0, reached = 0;
   const std::size_t layers = state.rate.size() / mesh.node_count();
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
