@@ -22,7 +22,8 @@ constexpr double spread_bending = 70;      // and stay nearly straight
 constexpr double spread_rod = 9;           // long rods do while fibers spread: fewer of them
 constexpr Index spread_rods = 4;           // but at least this many a fiber
 constexpr int spread_steps = 200;
-constexpr double straight_limit = 5;  // straight fibers fit below a volume fraction of about 5 D / L
+constexpr double straight_limit = 5;       // straight fibers fit below a volume fraction of about 5 D / L
+constexpr int first_straight_steps = 400;  // from where they fell: spreading would space them more evenly
 constexpr int straight_steps = 2000;
 constexpr int clearance_steps = 200;
 constexpr double first_bending = 7;  // that of glass of 19 um under the default contact law
@@ -193,14 +194,21 @@ void Packer::untangle(Chains& chains) {
 }
 
 bool Packer::part_straight() {
+  const Chains scattered = straight_;
+  if (part(first_straight_steps)) return true;
+  straight_ = scattered;
   spread(straight_);
+  return part(straight_steps);
+}
+
+bool Packer::part(int steps) {
   Minimiser minimiser(straight_, target_);
   PackingEnergy energy = plain_energy();
   // Straight fibers hold no contacts: part them beyond the reach of the contact law where there is room.
   const double reach = 0.5 * request_.rest.ramp / unit_;
   energy.repulsion.reach = 1.5 * reach;
   stage_ = "part";
-  const bool parted = relax(minimiser, energy, straight_steps, {request_.overlap_tolerance, unlimited});
+  const bool parted = relax(minimiser, energy, steps, {request_.overlap_tolerance, unlimited});
   if (parted) relax(minimiser, energy, clearance_steps, {-reach, unlimited});
   minimiser.finish();
   return parted;

@@ -33,6 +33,7 @@ class Packer {
   [[nodiscard]] PackingEnergy plain_energy() const;
   [[nodiscard]] bool may_stay_straight() const;
   [[nodiscard]] bool part_straight();
+  [[nodiscard]] bool part(int steps);
   [[nodiscard]] Chains disperse();
   [[nodiscard]] Chains bundle_up();
   [[nodiscard]] Chains compress();
