@@ -14,6 +14,7 @@ int main(int count, char** words) {
   bool all_within = true;
   fmt::print("law                  parameter   held of {}    %\n", repetitions);
   for (const SyntheticCase& one : synthetic_cases()) {
+    if (count > 3 && one.law != words[3]) continue;
     const Coverage coverage = count_held(one, seed, repetitions);
     for (std::size_t k = 0; k < coverage.held.size(); ++k) {
       const double percent = 100.0 * coverage.held[k] / repetitions;
