@@ -13,12 +13,12 @@
 #include "base/constants.hpp"
 #include "base/error.hpp"
 #include "packing/chain_shapes.hpp"
+#include "packing/densest_fraction.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr double densest = 0.9068996821171089;  // parallel cylinders, pi / sqrt(12)
-constexpr int frames_a_rod = 4;                 // along a bundle: between them normals are nearly constant
+constexpr int frames_a_rod = 4;  // along a bundle: between them normals are nearly constant
 
 struct Place {
   double x, y;
@@ -47,9 +47,10 @@ double bundle_radius(std::size_t fibers, double spacing, double fiber_radius) {
 void require_bundles(const BundleRequest& bundle) {
   if (bundle.fibers < 1)
     throw InputError(fmt::format("a bundle has {} fibers", bundle.fibers), "give at least 1");
-  if (!(bundle.volume_fraction > 0) || !(bundle.volume_fraction <= densest))
-    throw InputError(fmt::format("fibers fill {:.4g} of a bundle", bundle.volume_fraction),
-                     fmt::format("give a fraction above 0 and at most {:.4g} (pi / sqrt 12)", densest));
+  if (!(bundle.volume_fraction > 0) || !(bundle.volume_fraction <= densest_parallel))
+    throw InputError(
+        fmt::format("fibers fill {:.4g} of a bundle", bundle.volume_fraction),
+        fmt::format("give a fraction above 0 and at most {:.4g} (pi / sqrt 12)", densest_parallel));
 }
 
 void require_room(const BundlePlan& plan) {
@@ -60,13 +61,13 @@ void require_room(const BundlePlan& plan) {
     thickest = std::max(thickest, 2 * radius);
   }
   const double fraction = volume / plan.bundles.cell.volume();
-  if (fraction >= densest)
+  if (fraction >= densest_parallel)
     throw InputError(
         fmt::format("the bundles fill {:.4g} of the cell", fraction),
         fmt::format(
             "even parallel bundles fill at most {:.4g}: put more fibers into the volume of a bundle, or "
             "fewer into a bundle",
-            densest));
+            densest_parallel));
   for (int i = 0; i < 3; ++i) {
     if (plan.bundles.cell.height(i) < 2 * thickest)
       throw InputError(fmt::format("the cell is {:.4g} m high and a bundle {:.4g} m thick",

@@ -1,7 +1,6 @@
 // Packs fibers: checks the request, runs the stages and measures the result.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,14 +11,12 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "base/timer.hpp"
+#include "packing/densest_fraction.hpp"
 #include "packing/packer.hpp"
 #include "packing/packing.hpp"
 
 namespace fiberfate {
 namespace {
-
-constexpr double densest_parallel = 0.9068996821171089;  // cylinders on a hexagonal lattice, pi / sqrt(12)
-constexpr double densest_crossed = 3 * pi / 16;          // three perpendicular sets of parallel cylinders
 
 void require_tolerances(const PackingRequest& request) {
   if (!(request.overlap_tolerance > 0) || !(request.overlap_tolerance < 1))
@@ -49,8 +46,8 @@ void require_room(const PackingRequest& request) {
     volume += pi * radius * radius * fiber.length;
   }
   const double fraction = volume / request.cell.volume();
-  const bool free = !request.orientation.directions.empty() || !holds_orientation(request.start);
-  const double densest = free ? densest_parallel : densest_fraction(request.orientation.tensor);
+  const bool any_orientation = !request.orientation.directions.empty() || !holds_orientation(request.start);
+  const double densest = any_orientation ? densest_parallel : densest_fraction(request.orientation.tensor);
   if (fraction >= densest)
     throw InputError(
         fmt::format("the fibers fill {:.4g} of the cell", fraction),
@@ -104,12 +101,6 @@ void settle_at_rest(Packer& packer, Chains& chains, const PackingRequest& reques
 }
 
 }  // namespace
-
-double densest_fraction(const Mat3& orientation) {
-  const double largest = Eigen::SelfAdjointEigenSolver<Mat3>(orientation).eigenvalues()[2];
-  const double alignment = std::clamp(0.5 * (3 * largest - 1), 0.0, 1.0);
-  return densest_crossed + alignment * (densest_parallel - densest_crossed);
-}
 
 PackingResult pack(const PackingRequest& request,
                    const std::function<void(const PackingProgress&)>& progress) {

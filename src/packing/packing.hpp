@@ -91,11 +91,6 @@ struct PackingResult {
   PackingReport report;
 };
 
-/// Largest volume fraction that fibers with this A2 are known to fill: pi / sqrt(12) for parallel ones, 3 pi
-/// / 16 for three perpendicular sets of parallel ones, between them linear in the largest eigenvalue. Not a
-/// theorem, but well beyond what any packing reaches.
-[[nodiscard]] double densest_fraction(const Mat3& orientation);
-
 /// Packs the fibers (docs/theory/packing.md). The result is bitwise the same for any number of threads.
 ///
 /// Overlap, smallest radius and orientation are as asked; but the start `compressed` takes the orientation

@@ -9,12 +9,11 @@
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "packing/densest_fraction.hpp"
 
 namespace fiberfate {
 namespace {
 
-// Densest packing of equal parallel cylinders, pi / sqrt(12).
-constexpr double densest = 0.9068996821171089;
 // A cell holds at least this many fibers when it is chosen for them.
 constexpr double memory_limit_fibers = 2e8;
 
@@ -56,9 +55,10 @@ double requested_fraction(const std::vector<FiberSpecies>& species, const Concen
                        "give the densities of fibers and matrix, or the volume fraction");
     fraction = volume_from_weight_fraction(*request.weight_fraction, density, request.matrix_density);
   }
-  if (fraction >= densest)
-    throw InputError(fmt::format("a volume fraction of fibers of {:.4g} does not exist", fraction),
-                     fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest));
+  if (fraction >= densest_parallel)
+    throw InputError(
+        fmt::format("a volume fraction of fibers of {:.4g} does not exist", fraction),
+        fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest_parallel));
   return fraction;
 }
 
@@ -167,10 +167,11 @@ Population plan_population(const std::vector<FiberSpecies>& species, const Conce
                              : Vec3(Vec3::Constant(std::cbrt(volume / requested_fraction(species, request))));
   require_room(population.cell_size, species);
   population.volume_fraction = volume / population.cell_size.prod();
-  if (population.volume_fraction >= densest)
-    throw InputError(fmt::format("{} fibers fill {:.4g} of the cell", population.fibers.size(),
-                                 population.volume_fraction),
-                     fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest));
+  if (population.volume_fraction >= densest_parallel)
+    throw InputError(
+        fmt::format("{} fibers fill {:.4g} of the cell", population.fibers.size(),
+                    population.volume_fraction),
+        fmt::format("even parallel fibers fill at most {:.4g} (pi / sqrt 12)", densest_parallel));
   return population;
 }
 

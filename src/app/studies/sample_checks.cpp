@@ -8,6 +8,7 @@
 #include "app/studies/sample_case.hpp"
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "packing/densest_fraction.hpp"
 
 namespace fiberfate {
 namespace {
