@@ -38,6 +38,8 @@ class CaseChecker {
   [[nodiscard]] bool is_sound(const std::string& key) const;
   /// Cites a key with its place for use inside a message: `fibers.count = 100 (line 12)`.
   [[nodiscard]] std::string cite(const std::string& key) const;
+  /// Tells whether files that the case names may be gone, as for a result that is resumed or reported.
+  [[nodiscard]] bool files_may_be_gone() const { return named_files_ == NamedFiles::may_be_gone; }
   /// Reports an error unless the file exists and can be read.
   void check_file(const std::string& key, const std::string& path);
 

@@ -125,7 +125,7 @@ function start_stage(section: ShellSection, data: ShellData, host: HTMLElement, 
   try {
     stage = make_stage(host, {
       ...ball_around(data.points),
-      from: new Vector3(0.25, -0.5, 1),
+      from: new Vector3(0.25, 0.45, 1),
       crowded: data.nodes > 20_000,
       prepare: (palette) => shell?.adapt(palette),
       finish: labels.follow,

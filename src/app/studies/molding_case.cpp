@@ -89,8 +89,9 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
 
 /// Finds the key of the case that a fault of the solver's parameters belongs to.
 std::string key_of(const std::string& fault) {
-  if (fault.starts_with("gate ") || fault == "gates") return "gates.places";
-  if (fault.starts_with("material")) return fault;
+  if (fault.starts_with("gates.") || fault.starts_with("part.") || fault.starts_with("material."))
+    return fault;
+  if (fault.starts_with("gate") || fault == "fibers.gate_inlets") return "gates.places";
   if (fault == "process.flow") return "machine.flow_rate";
   if (fault == "process.inlet_temperature") return "machine.melt_temperature";
   if (fault.starts_with("process.mold")) return "machine.mold_temperature";
@@ -116,10 +117,11 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
     }
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
-      const std::string subject =
-          problem.key.empty() ? ""
-                              : problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
-      checker.error(key_of(problem.key), subject + problem.complaint, problem.remedy);
+      const std::string key = key_of(problem.key);
+      std::string subject;
+      if (key != problem.key && !problem.key.empty())
+        subject = problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
+      checker.error(key, subject + problem.complaint, problem.remedy);
     }
   }
 }
@@ -135,7 +137,9 @@ void validate_molding(const MoldingCase& values, CaseChecker& checker) {
   validate_machine(values.machine, checker);
   validate_lengths(values, checker);
   validate_sweep(values, checker);
-  if (checker.is_sound()) validate_filling(values, checker);
+  // A part from a file that may be gone is in the checkpoint.
+  const bool meshed_before = values.part.kind == PartKind::file && checker.files_may_be_gone();
+  if (checker.is_sound() && !meshed_before) validate_filling(values, checker);
 }
 
 CaseEstimate estimate_molding(const MoldingCase& values) {

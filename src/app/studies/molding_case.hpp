@@ -25,12 +25,20 @@ struct ValveTimes {
   Trigger closes = {TriggerKind::never, 0, {}};
 };
 
+/// Holds what comes in through one gate where that differs from [fibers].
+struct GateInlet {
+  std::string gate;
+  std::vector<double> numbers;  ///< principal values of A2, or the length of every class, m
+};
+
 /// Holds [gates].
 struct GateChoices {
   std::vector<NamedPlace> places;
   double radius = 1e-3;   ///< m
   double resistance = 0;  ///< of each gate's runner, Pa s/m³
   std::vector<ValveTimes> valves;
+  std::vector<GateInlet> orientations;  ///< three principal values along fibers.inlet_axes
+  std::vector<GateInlet> lengths;       ///< one length a class of [fibers]
 };
 
 /// Holds [material]: what the heat equation needs.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include "app/run_log.hpp"
 #include "base/error.hpp"
@@ -97,19 +98,25 @@ constexpr std::size_t gate_numbers = 5, event_numbers = 4;
 
 void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
   const FillingState& state = checkpoint.state;
-  std::vector<double> gates, events, inflow;
+  std::vector<double> gates, events;
   for (const GateState& gate : state.gates)
     gates.insert(gates.end(),
                  {static_cast<double>(gate.phase), gate.arrival_time, gate.pressure, gate.rate, gate.volume});
   for (const FillingEvent& event : state.events)
     events.insert(events.end(), {event.time, event.filled_fraction, static_cast<double>(event.kind),
                                  static_cast<double>(event.gate)});
-  for (const Vec2& vector : state.inflow) inflow.insert(inflow.end(), vector.data(), vector.data() + 2);
   std::vector<std::uint8_t> mark;
   for (const NodeMark one : state.mark) mark.push_back(static_cast<std::uint8_t>(one));
   file.write("state/gates", std::span<const double>(gates), gate_numbers);
   file.write("state/events", std::span<const double>(events), event_numbers);
-  file.write("state/inflow", std::span<const double>(inflow), 2);
+  for (const auto& [name, vectors] :
+       {std::pair("state/inflow", &state.inflow), {"state/gradient", &state.gradient}}) {
+    std::vector<double> numbers;
+    for (const Vec2& vector : *vectors) numbers.insert(numbers.end(), vector.data(), vector.data() + 2);
+    file.write(name, std::span<const double>(numbers), 2);
+  }
+  const std::vector<std::uint8_t> covered(state.covered.begin(), state.covered.end());
+  file.write("state/covered", std::span<const std::uint8_t>(covered));
   file.write("state/mark", std::span<const std::uint8_t>(mark));
 }
 
@@ -122,8 +129,13 @@ void read_structures(const Hdf5File& file, FillingState& state) {
     state.events.push_back({events[i], events[i + 1],
                             static_cast<FillingEventKind>(static_cast<int>(events[i + 2])),
                             static_cast<int>(events[i + 3])});
-  const auto inflow = file.read<double>("state/inflow");
-  for (std::size_t i = 0; i < inflow.size(); i += 2) state.inflow.emplace_back(inflow[i], inflow[i + 1]);
+  for (const auto& [name, vectors] :
+       {std::pair("state/inflow", &state.inflow), {"state/gradient", &state.gradient}}) {
+    const auto numbers = file.read<double>(name);
+    for (std::size_t i = 0; i < numbers.size(); i += 2) vectors->emplace_back(numbers[i], numbers[i + 1]);
+  }
+  const auto covered = file.read<std::uint8_t>("state/covered");
+  state.covered.assign(covered.begin(), covered.end());
   for (const std::uint8_t one : file.read<std::uint8_t>("state/mark"))
     state.mark.push_back(static_cast<NodeMark>(one));
 }

@@ -87,6 +87,32 @@ void describe_profiles(KeyTable& table, MachineChoices& machine) {
                {.text = "What happens between the rows of a profile; the last one holds to the end."});
 }
 
+/// Adds a key of rows [gate, number, …].
+void describe_inlets(KeyTable& table, const std::string& key, std::vector<GateInlet>& inlets,
+                     const Units& units, const Range& range, KeyNotes notes) {
+  const auto append = [&inlets, units, range](const std::vector<TomlValue>& row) -> std::optional<Complaint> {
+    if (row.size() < 2) return Complaint{"not a gate with numbers", ""};
+    GateInlet inlet = {RowTexts(row).text(0), {}};
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      const Reading<double> reading = read_quantity(row[i], units, range);
+      if (const auto* complaint = std::get_if<Complaint>(&reading)) return *complaint;
+      inlet.numbers.push_back(std::get<double>(reading));
+    }
+    inlets.push_back(std::move(inlet));
+    return std::nullopt;
+  };
+  const auto write = [&inlets, units](NumberStyle style) {
+    std::vector<std::string> rows;
+    for (const GateInlet& inlet : inlets) {
+      std::vector<std::string> items = {write_text(inlet.gate)};
+      for (const double number : inlet.numbers) items.push_back(write_quantity(number, units, style));
+      rows.push_back(write_list(items));
+    }
+    return rows;
+  };
+  describe_text_rows(table, key, std::move(notes), {append, [&inlets] { inlets.clear(); }, write});
+}
+
 }  // namespace
 
 void describe_gates(KeyTable& table, GateChoices& gates) {
@@ -121,6 +147,16 @@ void describe_gates(KeyTable& table, GateChoices& gates) {
                                       write_text(write_trigger(valve.closes))}));
          return rows;
        }});
+  describe_inlets(
+      table, "gates.inlet_orientations", gates.orientations, {"1", "1"}, Range::between(0, 1),
+      {.text = "Rows [gate, A11, A22, A33] of gates whose fibers come in with another orientation than "
+               "fibers.inlet_orientation, in the same axes.",
+       .example = R"([["G1", 0.8, 0.15, 0.05]])"});
+  describe_inlets(
+      table, "gates.inlet_lengths", gates.lengths, {"m", "mm"}, Range::positive(1),
+      {.text = "Rows [gate, length, ...] of gates whose fibers come in with other lengths than those of "
+               "[fibers]: one length, L_N and L_W, or one a class of the distribution.",
+       .example = R"([["G1", "1.5 mm"]])"});
 }
 
 void describe_material(KeyTable& table, MaterialChoices& material) {

@@ -121,7 +121,8 @@ CsvTable histogram_table(const MoldingFields& fields, const std::vector<std::vec
   CsvTable table =
       empty_table({"place", "set", "length_low_m", "length_high_m", "number_share", "length_share"});
   const LengthClasses inlet = fields.inlet_population();
-  const double longest = *std::max_element(inlet.lengths.begin(), inlet.lengths.end());
+  // Transport may lengthen a class by round-off.
+  const double longest = (1 + 1e-9) * *std::max_element(inlet.lengths.begin(), inlet.lengths.end());
   std::vector<double> edges;
   for (std::size_t i = 0; i <= histogram_bins; ++i)
     edges.push_back(longest * static_cast<double>(i) / static_cast<double>(histogram_bins));

@@ -132,8 +132,9 @@ void set_thickness(const PartChoices& part, const SurfaceMesh& flat, Shell& shel
   for (const RegionThickness& one : part.thicknesses) {
     const auto found = std::find(flat.region_names.begin(), flat.region_names.end(), one.region);
     if (found == flat.region_names.end())
-      throw InputError(fmt::format("part.thicknesses: the part has no region \"{}\"", one.region),
-                       fmt::format("its regions are {}", fmt::join(flat.region_names, ", ")));
+      throw InputError(
+          {{"", 0, 0, "part.thicknesses", "", fmt::format("the part has no region \"{}\"", one.region),
+            fmt::format("its regions are {}", fmt::join(flat.region_names, ", "))}});
     by_region[static_cast<std::size_t>(found - flat.region_names.begin())] = one.thickness;
   }
   for (std::size_t t = 0; t < flat.triangles.size(); ++t) {

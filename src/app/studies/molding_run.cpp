@@ -31,8 +31,15 @@ class MoldingRun {
 
  private:
   [[nodiscard]] std::optional<StopReason> reason_to_stop(std::int64_t first_step) const;
-  void after_step(double filled_before);
-  void append_row();
+  /// Holds where a step began: pressures and rates of the state after it are those that held from there on.
+  struct Moment {
+    double time = 0;             ///< s
+    double filled_fraction = 0;  ///< 1
+    double injected_volume = 0;  ///< m³
+  };
+  [[nodiscard]] Moment moment() const;
+  void after_step(const Moment& begin);
+  void append_row(const Moment& at);
   void append_frame();
   [[nodiscard]] MoldingRecord record() const;
   [[nodiscard]] MoldingCheckpoint checkpoint() const {
@@ -91,9 +98,9 @@ StopReason MoldingRun::run() {
         finish(*reason);
         return *reason;
       }
-      const double filled_before = filling_.filled_fraction();
+      const Moment begin = moment();
       filling_.advance();
-      after_step(filled_before);
+      after_step(begin);
     }
   } catch (const SimulationFailure& failure) {
     progress_.end_line();
@@ -113,22 +120,27 @@ std::optional<StopReason> MoldingRun::reason_to_stop(std::int64_t first_step) co
   return std::nullopt;
 }
 
-void MoldingRun::after_step(double filled_before) {
+MoldingRun::Moment MoldingRun::moment() const {
+  return {filling_.state().time, filling_.filled_fraction(), filling_.state().injected_volume};
+}
+
+void MoldingRun::after_step(const Moment& begin) {
   greatest_pressure_ = std::max(greatest_pressure_, filling_.state().sprue_pressure);
-  append_row();
+  append_row(begin);
+  if (filling_.finished()) append_row(moment());
   const auto frame_number = [this](double filled) {
     return static_cast<std::int64_t>(filled * static_cast<double>(values_.output.frames));
   };
-  if (filling_.finished() || frame_number(filling_.filled_fraction()) > frame_number(filled_before))
+  if (filling_.finished() || frame_number(filling_.filled_fraction()) > frame_number(begin.filled_fraction))
     append_frame();
   if (wall_seconds() - last_checkpoint_ >= values_.output.checkpoint_interval) write_checkpoint();
   show_progress();
 }
 
-void MoldingRun::append_row() {
+void MoldingRun::append_row(const Moment& at) {
   const FillingState& state = filling_.state();
-  std::vector<double> row = {state.time, filling_.filled_fraction(), state.flow_rate, state.sprue_pressure,
-                             state.injected_volume};
+  std::vector<double> row = {at.time, at.filled_fraction, state.flow_rate, state.sprue_pressure,
+                             at.injected_volume};
   for (const GateState& gate : state.gates) {
     row.push_back(gate.pressure);
     row.push_back(gate.rate);

@@ -64,6 +64,14 @@ MoldingProcess process_of(const MachineChoices& machine, double volume) {
   return process;
 }
 
+/// Finds a gate by name; raises InputError with the key that names it.
+std::size_t gate_named(const std::vector<Gate>& gates, const std::string& wanted, const char* key) {
+  for (std::size_t i = 0; i < gates.size(); ++i)
+    if (gates[i].name == wanted) return i;
+  throw InputError({{"", 0, 0, key, "", fmt::format("there is no gate \"{}\"", wanted),
+                     "name a gate of [gates] places or of the part; a part's only gate is called \"gate\""}});
+}
+
 std::vector<Gate> gates_of(const GateChoices& choices, const MoldingPart& part) {
   std::vector<Gate> gates = part.gates;
   for (const NamedPlace& place : choices.places) {
@@ -79,15 +87,33 @@ std::vector<Gate> gates_of(const GateChoices& choices, const MoldingPart& part) 
   }
   for (Gate& gate : gates) gate.resistance = choices.resistance;
   for (const ValveTimes& valve : choices.valves) {
-    const auto found =
-        std::find_if(gates.begin(), gates.end(), [&](const Gate& gate) { return gate.name == valve.gate; });
-    if (found == gates.end())
-      throw InputError(fmt::format("gates.valves: there is no gate \"{}\"", valve.gate),
-                       "name a gate of [gates] places or of the part; a part's only gate is called \"gate\"");
-    found->opens = valve.opens;
-    found->closes = valve.closes;
+    Gate& gate = gates[gate_named(gates, valve.gate, "gates.valves")];
+    gate.opens = valve.opens;
+    gate.closes = valve.closes;
   }
   return gates;
+}
+
+/// Gives gates that have one an inlet of their own, beginning with that of all.
+void add_gate_inlets(const GateChoices& choices, FillingParams& params) {
+  MoldingFibers& fibers = params.fibers;
+  if (choices.orientations.empty() && choices.lengths.empty()) return;
+  fibers.gate_inlets.assign(params.gates.size(), std::nullopt);
+  const auto inlet_of = [&](const std::string& gate, const char* key) -> InletFibers& {
+    std::optional<InletFibers>& inlet = fibers.gate_inlets[gate_named(params.gates, gate, key)];
+    if (!inlet) inlet = fibers.inlet;
+    return *inlet;
+  };
+  for (const GateInlet& one : choices.orientations) {
+    if (one.numbers.size() != 3)
+      throw InputError({{"", 0, 0, "gates.inlet_orientations", "",
+                         fmt::format("gate \"{}\" has {} numbers", one.gate, one.numbers.size()),
+                         "give A11, A22 and A33"}});
+    inlet_of(one.gate, "gates.inlet_orientations").orientation =
+        Vec3(one.numbers[0], one.numbers[1], one.numbers[2]).asDiagonal();
+  }
+  for (const GateInlet& one : choices.lengths)
+    inlet_of(one.gate, "gates.inlet_lengths").lengths = one.numbers;
 }
 
 MoldingMaterial material_of(const MoldingCase& values) {
@@ -166,6 +192,7 @@ MoldingSetup setup_of(const MoldingCase& values, MoldingPart part) {
   params.fibers.inlet.orientation = values.fibers.inlet_orientation;
   params.fibers.inlet.axes = values.fibers.inlet_axes;
   add_classes(values.fibers, setup);
+  add_gate_inlets(values.gates, params);
   add_length_sets(values, setup);
   add_coupling(values.fibers, setup);
   return setup;

@@ -1,0 +1,250 @@
+"""Molding: results of filled parts, what continues and exports, and what a user is told about bad parts and settings."""
+import math
+import re
+from pathlib import Path
+
+import h5py
+import pytest
+
+from small_case import column, run, series, summary
+
+CASES = Path(__file__).resolve().parents[2] / "cases"
+QUICK = ["--set", "part.mesh_size=15 mm", "--set", "numerics.layers=8", "--set", "numerics.steps=60"]
+
+
+def fill(folder, name, *words, expect=0):
+    """Runs a case of the gallery and returns what the program said."""
+    return run("run", CASES / name / "case.toml", "--out", folder, "--progress", "none", *words, expect=expect)
+
+
+def complaint(tmp_path, name, *overrides):
+    """Tells what the program says of a case that it must refuse, and that it leaves nothing behind."""
+    words = [word for override in overrides for word in ("--set", override)]
+    done = fill(tmp_path / "result", name, *words, expect=2)
+    assert not (tmp_path / "result").exists()
+    return done.stderr
+
+
+@pytest.fixture(scope="module")
+def plaque(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("plaque") / "result"
+    fill(folder, "30_plaque", *QUICK)
+    return folder
+
+
+def test_the_pressure_of_a_strip_is_exact(tmp_path):
+    fill(tmp_path / "r", "35_strip")
+    filled, pressure = column(tmp_path / "r", "filled_fraction"), column(tmp_path / "r", "sprue_pressure_Pa")
+    exact = [12 * 100 * 8e-6 * (0.2 * share) / (0.02 * 0.002**3) for share in filled]
+    # Front and mesh: 80 cells along the strip, the tolerance that the solver's own tests state.
+    errors = [found - wanted for found, wanted, share in zip(pressure, exact, filled) if 0.1 < share < 0.98]
+    assert math.sqrt(sum(error**2 for error in errors) / len(errors)) < 2.5e-3 * exact[-1]
+
+
+def test_a_bent_strip_is_filled_as_a_flat_one(tmp_path):
+    for name, words in (("flat", []), ("bent", ["--variant", "bent"])):
+        fill(tmp_path / name, "35_strip", *words)
+    flat, bent = (column(tmp_path / name, "sprue_pressure_Pa") for name in ("flat", "bent"))
+    # Chords of the arc are shorter than the arc by (size/radius)^2/24, 7e-5.
+    assert bent[len(bent) // 2] == pytest.approx(flat[len(flat) // 2], rel=2e-3)
+
+
+def test_orientation_and_length_have_skin_shell_and_core(plaque):
+    values = summary(plaque)
+    assert values["filling_end"] == "filled"
+    assert abs(values["volume_error"]) < 1e-10
+    assert abs(values["heat_error"]) < 0.01
+    a11 = [float(row[6]) for row in series(plaque, "profiles.csv")[1:] if float(row[0]) == 0]
+    assert max(a11) > a11[0] + 0.1, "fibers of the shell lie more along the flow than those of the core"
+    lengths = [values[f"Loc_{place}_L_N_m"] for place in (1, 2, 3, 4)]
+    assert lengths[1] < lengths[0] and lengths[1] < lengths[3], "the length falls to the middle and rises to the end"
+    assert all(values[f"Loc_{place}_L_N_m"] <= 5.111e-3 for place in (1, 2, 3, 4))
+
+
+def test_the_files_hold_the_part(plaque):
+    values = summary(plaque)
+    with h5py.File(plaque / "result.vtkhdf") as file:
+        root = file["VTKHDF"]
+        assert root.attrs["Type"] in (b"PolyData", "PolyData")
+        assert root["Points"].shape == (values["nodes"], 3)
+        assert root["Polygons/NumberOfCells"][:].tolist() == [values["triangles"]]
+        frames = root["Steps/Values"].shape[0]
+        assert frames >= 15 and root["PointData/pressure"].shape[0] == frames * values["nodes"]
+    with h5py.File(plaque / "layers.vtkhdf") as file:
+        root = file["VTKHDF"]
+        assert root["Points"].shape[0] == 8 * values["nodes"]
+        assert root["NumberOfCells"][0] == 7 * values["triangles"]
+        assert {"temperature", "A11", "L_N"} <= set(root["PointData"])
+    with h5py.File(plaque / "properties.vtkhdf") as file:
+        stiff, across = file["VTKHDF/CellData/E_1"][:], file["VTKHDF/CellData/E_2"][:]
+        assert (stiff >= 0.999 * across).all() and stiff.max() > 2 * across.min()
+
+
+def test_a_report_is_written(plaque):
+    run("report", plaque)
+    assert (plaque / "report.html").stat().st_size > 100000
+    run("check", plaque / "case.resolved.toml")
+
+
+def test_a_structural_solver_gets_every_triangle(plaque):
+    run("export", plaque, "--format", "abaqus")
+    text = (plaque / "export_abaqus" / "part.inp").read_text(encoding="utf-8")
+    triangles = summary(plaque)["triangles"]
+    for keyword in ("*ELEMENT, TYPE=S3", "*ORIENTATION", "*ELASTIC, TYPE=ENGINEERING CONSTANTS", "*SHELL SECTION"):
+        assert text.count(keyword) == triangles, keyword
+    for numbers in re.findall(r"CONSTANTS\n(.*)\n(.*)\n", text)[:50]:
+        constants = [float(number) for number in ",".join(numbers).split(",") if number.strip()]
+        assert len(constants) == 9 and constants[0] >= 0.99 * constants[1] > 0
+
+
+def test_frames_are_exported_for_older_programs(plaque):
+    run("export", plaque, "--format", "vtp")
+    assert (plaque / "export_vtp" / "part.pvd").exists()
+    done = run("export", plaque, "--format", "csv", expect=2)
+    assert "take vtp or abaqus" in done.stderr
+
+
+def test_a_resumed_filling_is_bitwise_that_of_one_go(plaque, tmp_path):
+    fill(tmp_path / "r", "30_plaque", *QUICK, "--steps", "25")
+    assert summary(tmp_path / "r")["stop_reason"] == "steps_reached"
+    run("resume", tmp_path / "r", "--progress", "none")
+    for table in ("series.csv", "places.csv", "profiles.csv"):
+        assert series(tmp_path / "r", table) == series(plaque, table), table
+    with h5py.File(tmp_path / "r" / "result.vtkhdf") as one, h5py.File(plaque / "result.vtkhdf") as other:
+        assert (one["VTKHDF/PointData/pressure"][:] == other["VTKHDF/PointData/pressure"][:]).all()
+
+
+def test_threads_give_the_same_bits(plaque, tmp_path):
+    fill(tmp_path / "r", "30_plaque", *QUICK, "--threads", "3")
+    assert series(tmp_path / "r") == series(plaque)
+    assert series(tmp_path / "r", "profiles.csv") == series(plaque, "profiles.csv")
+
+
+def test_a_short_shot_is_a_result(tmp_path):
+    done = fill(tmp_path / "r", "30_plaque", *QUICK, "--variant", "short_shot")
+    values = summary(tmp_path / "r")
+    assert values["filling_end"] in ("short_shot", "frozen") and 0.2 < values["filled_fraction"] < 0.99
+    assert values["greatest_sprue_pressure_Pa"] <= 20e6 * (1 + 1e-9)
+    assert "the cavity did not fill" in done.stderr
+    run("report", tmp_path / "r")
+
+
+def test_coupled_flow_needs_more_pressure(plaque, tmp_path):
+    fill(tmp_path / "r", "30_plaque", *QUICK, "--variant", "case_8")
+    assert summary(tmp_path / "r")["greatest_sprue_pressure_Pa"] > 1.05 * summary(plaque)["greatest_sprue_pressure_Pa"]
+
+
+def test_valve_gates_open_in_sequence(tmp_path):
+    fill(tmp_path / "r", "32_tailgate", "--variant", "short", "--variant", "sequence")
+    values = summary(tmp_path / "r")
+    assert values["volume_m3"] == pytest.approx(4.933e-3, rel=1e-3)
+    assert values["G8_gate_opened_s"] == 0 < values["G6_gate_opened_s"] < values["G4_gate_opened_s"] < values["G2_gate_opened_s"]
+    assert values["G8_gate_closed_s"] == values["G9_gate_closed_s"] > values["G6_gate_opened_s"]
+    share = values["G6_gate_opened_s"] * 616.7e-6 / values["volume_m3"]
+    assert share == pytest.approx(0.49, abs=5e-3)
+
+
+def test_classes_narrow_and_keep_their_fibers(tmp_path):
+    fill(tmp_path / "r", "31_length_classes", "--variant", "short")
+    shares = column(tmp_path / "r", "number_share", "histogram.csv")
+    places = len(set(column(tmp_path / "r", "place", "histogram.csv")))
+    assert math.fsum(shares) == pytest.approx(places, rel=1e-9)
+    values = summary(tmp_path / "r")
+    ratios = [values[f"Loc_{place}_L_W_m"] / values[f"Loc_{place}_L_N_m"] for place in (1, 2)]
+    assert values["L_W_m"] > values["L_N_m"] and ratios[1] > 1
+
+
+def test_xi_is_recovered_from_noisy_lengths(tmp_path):
+    fill(tmp_path / "r", "33_molding_xi")
+    values = summary(tmp_path / "r")
+    # 64 lengths with 5 % noise determine xi to 2.4 % (its standard error); these draws must come within 3 %.
+    assert values["sweep_best_value"] == pytest.approx(2e-3, rel=0.03)
+    assert values["sweep_least_squares_value"] == pytest.approx(2e-3, rel=0.03)
+    assert values["sweep_least_squares_scatter"] == pytest.approx(0.05, rel=0.2)
+    assert values["sweep_least_squares_log_error"] == pytest.approx(0.024, rel=0.2)
+    errors = column(tmp_path / "r", "average_error_percent", "sweep.csv")
+    assert min(errors) >= values["sweep_best_error_percent"]
+    run("report", tmp_path / "r")
+
+
+@pytest.mark.parametrize("overrides, message", [
+    (['part.gate="given"', 'gates.places=[["G1", "400 mm", "50 mm"]]'], "move the gate onto the middle surface"),
+    (['part.gate="given"'], "place at least one gate on the part"),
+    (['gates.valves=[["gate", "filled 0.5"]]'], "the cavity cannot fill"),
+    (['gates.valves=[["G7", "filled 0.5"]]'], 'there is no gate "G7"'),
+    (['gates.valves=[["gate", "soon"]]'], "is no event"),
+    (["part.thickness=0 mm"], "part.thickness"),
+    (['part.thicknesses=[["rib", "1 mm"]]'], 'the part has no region "rib"'),
+    (["part.mesh_size=0.01 mm"], "triangles"),
+    (["material.density=-1"], "material.density"),
+    (["material.preset=ppgf31"], 'did you mean "ppgf30"?'),
+    (["material.no_flow_temperature=530 K"], "stands still"),
+    (["machine.mold_temperature=600 K"], "not less than machine.melt_temperature"),
+    (["machine.flow_rate=1 cm^3/s"], "the flow is given in more than one way"),
+    (["fibers.volume_fraction=1.5"], "fibers.volume_fraction"),
+    (["law.lambda=-1"], "law.lambda"),
+    (["numerics.layers=7"], "even number"),
+    (['output.places=[["P", "0 mm", "500 mm"]]'], "off the part"),
+    (['sweep.parameter="alpha"', "sweep.lower=1", "sweep.upper=2"], "has no such parameter"),
+    (['sweep.measured=[["nowhere", "L_N", "1 mm"]]', 'sweep.parameter="xi"', "sweep.lower=1e-4", "sweep.upper=1e-2"],
+     'there is no place "nowhere"')])
+def test_mistakes_are_named(tmp_path, overrides, message):
+    assert message in complaint(tmp_path, "30_plaque", *overrides)
+
+
+SQUARE = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+{nodes}
+$EndNodes
+$Elements
+{elements}
+$EndElements
+"""
+
+
+def mesh(points, triangles):
+    nodes = "\n".join([str(len(points))] + [f"{i} {x} {y} {z}" for i, (x, y, z) in enumerate(points, 1)])
+    elements = "\n".join([str(len(triangles))] + [f"{i} 2 2 1 1 {a} {b} {c}" for i, (a, b, c) in enumerate(triangles, 1)])
+    return SQUARE.format(nodes=nodes, elements=elements)
+
+
+CORNERS = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0)]
+
+
+@pytest.mark.parametrize("points, triangles, message", [
+    (CORNERS, [(1, 2, 3), (1, 4, 3)], "turned opposite ways"),
+    (CORNERS + [(5, 5, 9)], [(1, 2, 3), (3, 4, 1), (1, 3, 5)], "belongs to 3 triangles"),
+    (CORNERS + [(50, 0, 0), (60, 0, 0), (60, 9, 0)], [(1, 2, 3), (1, 3, 4), (5, 6, 7)], "hangs on nothing"),
+    (CORNERS + [(5, 5, 0)], [(1, 2, 3), (1, 3, 4), (1, 5, 3)], "degenerate"),
+    ([(0, 0, 0), (9, 0, 0), (0, 9, 0), (0, 0, 9)], [(1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)], "skin of a solid")])
+def test_faults_of_a_mesh_are_named(tmp_path, points, triangles, message):
+    (tmp_path / "part.msh").write_text(mesh(points, triangles), encoding="utf-8")
+    text = (CASES / "37_frame" / "case.toml").read_text(encoding="utf-8")
+    part = '[part]\nkind = "file"\nfile = "part.msh"\nthickness = "2 mm"\n\n[gates]\nplaces = [["G1", "0 mm", "0 mm", "0 mm"]]\n'
+    text = re.sub(r"\[part\].*?(?=\[material\])", part + "\n", text, flags=re.S)
+    text = re.sub(r"\[output\].*", "", text, flags=re.S)
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    done = run("run", tmp_path / "case.toml", "--out", tmp_path / "r", expect=2)
+    assert message in done.stderr
+
+
+def test_a_mesh_from_a_file_fills(tmp_path):
+    count = 8
+    points = [(5 * i, 5 * j, 0) for j in range(count + 1) for i in range(count + 1)]
+    triangles = []
+    for j in range(count):
+        for i in range(count):
+            a = j * (count + 1) + i + 1
+            triangles += [(a, a + 1, a + count + 2), (a, a + count + 2, a + count + 1)]
+    (tmp_path / "part.msh").write_text(mesh(points, triangles), encoding="utf-8")
+    text = (CASES / "36_disc" / "case.toml").read_text(encoding="utf-8")
+    part = '[part]\nkind = "file"\nfile = "part.msh"\nthickness = "2 mm"\n\n[gates]\nplaces = [["G1", "20 mm", "20 mm", "0 mm"]]\nradius = "3 mm"\n'
+    text = re.sub(r"\[part\].*?(?=\[material\])", part + "\n", text, flags=re.S)
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    run("run", tmp_path / "case.toml", "--out", tmp_path / "r", "--progress", "none")
+    assert summary(tmp_path / "r")["volume_m3"] == pytest.approx(0.04 * 0.04 * 0.002, rel=1e-12)
+    assert summary(tmp_path / "r")["filling_end"] == "filled"
+    (tmp_path / "part.msh").unlink()
+    run("report", tmp_path / "r")  # the checkpoint keeps the part
