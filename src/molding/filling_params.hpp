@@ -24,7 +24,7 @@ struct FillingNumerics {
   int steps = 300;                ///< steps to aim at; the first and the last are shorter
   HeatModel heat = HeatModel::full;
   double viscosity_tolerance = 1e-3;    ///< largest relative change of a node's fluidity that ends iterating
-  int most_iterations = 6;              ///< pressure solutions a step
+  int most_iterations = 3;              ///< pressure solutions a step
   double orientation_tolerance = 1e-3;  ///< error of A2 in one internal step of the point law
 };
 
