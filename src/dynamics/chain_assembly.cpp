@@ -41,35 +41,67 @@ LanePlace place_of(ChainSystem& system, int lane, Index rod) {
   return {system.record(rod) + lane, system.record(rod + 1) + lane};
 }
 
+void add(double* record, int component, const Vec3& v) {
+  for (int c = 0; c < 3; ++c) record[(component + c) * System::lanes] += v[c];
+}
+void add_to_diagonal(double* record, const Mat3& m) {
+  const double parts[6] = {m(0, 0), m(1, 1), m(2, 2), m(1, 2), m(2, 0), m(0, 1)};
+  for (int c = 0; c < 6; ++c) record[(System::diagonal + c) * System::lanes] += parts[c];
+}
+void add_to_coupling(double* record, const Mat3& m) {
+  for (int c = 0; c < 9; ++c) record[(System::coupling + c) * System::lanes] += m.data()[c];
+}
+
 /// Adds a load; symmetric blocks are xx, yy, zz, yz, zx, xy.
 void add(const LanePlace& to, const RodLoad& load) {
   const double s = load.lever;
-  for (int c = 0; c < 3; ++c) {
-    to.near[(System::load + c) * System::lanes] += (1 - s) * load.force[c];
-    to.far[(System::load + c) * System::lanes] += s * load.force[c];
-  }
-  for (int c = 0; c < 6; ++c) {
-    const double resistance = load.resistance[static_cast<std::size_t>(c)];
-    to.near[(System::diagonal + c) * System::lanes] += (1 - s) * (1 - s) * resistance;
-    to.far[(System::diagonal + c) * System::lanes] += s * s * resistance;
-    to.near[(System::coupling + c) * System::lanes] += s * (1 - s) * resistance;
-  }
+  const auto& r = load.resistance;
+  Mat3 resistance;
+  resistance << r[0], r[5], r[4], r[5], r[1], r[3], r[4], r[3], r[2];
+  add(to.near, System::load, (1 - s) * load.force);
+  add(to.far, System::load, s * load.force);
+  add_to_diagonal(to.near, (1 - s) * (1 - s) * resistance);
+  add_to_diagonal(to.far, s * s * resistance);
+  add_to_coupling(to.near, s * (1 - s) * resistance);
 }
 
-/// States one side of a pair's force as a load.
-RodLoad pair_load(const ChainProblem& problem, const PairForce& pair, Index rod, bool is_first) {
-  const double place = is_first ? pair.s : pair.t;
-  const double sign = is_first ? 1 : -1;
+/// Adds one side of a pair's force. The skin where the rods touch moves with the rod's nodes at
+///   v = (1 − s) w_k + s w_{k+1} + e M (w_{k+1} − w_k),   M = p nᵀ − (n·p) I,   e = ± d/2l
+/// (+ on the first rod, − on the second), so nodes get the transposed shares of the force there. Turning
+/// moves the skins along each other only: nᵀM = 0.
+void add(const ChainProblem& problem, const LanePlace& to, const PairForce& pair, Index rod, bool is_first) {
   const auto k = static_cast<std::size_t>(rod);
+  const double far = is_first ? pair.s : pair.t;
+  const double near = 1 - far;
+  const double sign = is_first ? 1 : -1;
+  const double per_length = 1 / problem.state.rod_length[k];
+  const Vec3 p = per_length * (problem.state.position[k + 1] - problem.state.position[k]);
   const Vec3 n(pair.normal[0], pair.normal[1], pair.normal[2]);
-  const Vec3 force(pair.force[0], pair.force[1], pair.force[2]);
-  const Vec3 old = (1 - place) * problem.pair_velocity[k] + place * problem.pair_velocity[k + 1];
+  const double cosine = n.dot(p);
+  const double turn = sign * 0.5 * pair.distance * per_length;
+
+  const Vec3& w = problem.pair_velocity[k];
+  const Vec3 change = problem.pair_velocity[k + 1] - w;
+  const Vec3 old = w + far * change + turn * (n.dot(change) * p - cosine * change);
   const double across = pair.across;
   const double excess = pair.along - across;
-  return {place,
-          sign * force + across * old + excess * n.dot(old) * n,
-          {across + excess * n.x() * n.x(), across + excess * n.y() * n.y(), across + excess * n.z() * n.z(),
-           excess * n.y() * n.z(), excess * n.z() * n.x(), excess * n.x() * n.y()}};
+  const Vec3 force =
+      sign * Vec3(pair.force[0], pair.force[1], pair.force[2]) + across * old + excess * n.dot(old) * n;
+  const Vec3 couple = turn * (p.dot(force) * n - cosine * force);
+  add(to.near, System::load, near * force - couple);
+  add(to.far, System::load, far * force + couple);
+
+  const Mat3 identity = Mat3::Identity();
+  const Mat3 nn = n * n.transpose();
+  const Mat3 pn = p * n.transpose();
+  const Mat3 turning = turn * (pn - cosine * identity);
+  const Mat3 both = turning + turning.transpose();
+  const Mat3 squared = turn * turn * (nn - cosine * (pn + pn.transpose()) + cosine * cosine * identity);
+  const Mat3 held = across * identity + excess * nn;
+  add_to_diagonal(to.near, near * near * held + across * (squared - near * both));
+  add_to_diagonal(to.far, far * far * held + across * (squared + far * both));
+  add_to_coupling(to.near,
+                  near * far * held + across * (near * turning - far * turning.transpose() - squared));
 }
 
 /// Collects the shares of a group's rods, fiber by fiber; `ends` receives where each rod's shares end.
@@ -98,8 +130,10 @@ void add_pair_forces(const ChainProblem& problem, const ChainGroup& group, Chain
     for (int i = 0; i < group.used[lane]; ++i) {
       for (const std::size_t end = system.shares().ends[rod_number++]; next < end; ++next) {
         const PairForces::Share& share = system.shares().shares[next];
-        add(place_of(system, lane, i), pair_load(problem, forces[static_cast<std::size_t>(share.force)],
-                                                 group.first[lane] + i, share.is_first));
+        const PairForce& pair = forces[static_cast<std::size_t>(share.force)];
+        const Index rod = group.first[lane] + i;
+        const LanePlace place = place_of(system, lane, i);
+        add(problem, place, pair, rod, share.is_first);
       }
     }
   }

@@ -17,21 +17,28 @@ FIBERFATE_INLINE double* part(double* record, int component) {
 FIBERFATE_INLINE void add_to(double* to, const Pack& value) {
   store(to, load(to) + value);
 }
-FIBERFATE_INLINE void add_isotropic(double* record, int component, const Pack& value) {
-  for (int c = 0; c < 3; ++c) add_to(part(record, component + c), value);
+FIBERFATE_INLINE void add_to_diagonal(double* record, const Pack& value) {
+  for (int c = 0; c < 3; ++c) add_to(part(record, System::diagonal + c), value);
+}
+FIBERFATE_INLINE void add_to_coupling(double* record, const Pack& value) {
+  for (int c = 0; c < 3; ++c) add_to(part(record, System::coupling + 4 * c), value);
 }
 FIBERFATE_INLINE void add_triple(double* record, int component, const Triple& v) {
   add_to(part(record, component), v.x);
   add_to(part(record, component + 1), v.y);
   add_to(part(record, component + 2), v.z);
 }
-FIBERFATE_INLINE void add_dyad(double* record, int component, const Pack& f, const Triple& p) {
-  add_to(part(record, component), f * p.x * p.x);
-  add_to(part(record, component + 1), f * p.y * p.y);
-  add_to(part(record, component + 2), f * p.z * p.z);
-  add_to(part(record, component + 3), f * p.y * p.z);
-  add_to(part(record, component + 4), f * p.z * p.x);
-  add_to(part(record, component + 5), f * p.x * p.y);
+FIBERFATE_INLINE void add_dyad_to_diagonal(double* record, const Pack& f, const Triple& p) {
+  double* to = part(record, System::diagonal);
+  const Pack parts[6] = {p.x * p.x, p.y * p.y, p.z * p.z, p.y * p.z, p.z * p.x, p.x * p.y};
+  for (int c = 0; c < 6; ++c) add_to(part(to, c), f * parts[c]);
+}
+FIBERFATE_INLINE void add_dyad_to_coupling(double* record, const Pack& f, const Triple& p) {
+  const Pack parts[3] = {p.x, p.y, p.z};
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row)
+      add_to(part(record, System::coupling + 3 * column + row), f * parts[column] * parts[row]);
+  }
 }
 
 /// Reads eight fibers; lanes whose fiber has ended repeat its last node or rod.
@@ -123,11 +130,14 @@ FIBERFATE_INLINE void store_node(double* record, const RodPart& before, const Ro
                                      zero,
                                      zero,
                                      after.coupling,
+                                     zero,
+                                     zero,
+                                     zero,
                                      after.coupling,
+                                     zero,
+                                     zero,
+                                     zero,
                                      after.coupling,
-                                     zero,
-                                     zero,
-                                     zero,
                                      zero,
                                      load_here.x,
                                      load_here.y,
@@ -141,9 +151,9 @@ FIBERFATE_INLINE void store_node(double* record, const RodPart& before, const Ro
 }
 
 FIBERFATE_INLINE void add_excess(double* record, const RodPart& before, const RodPart& after) {
-  add_dyad(record, System::diagonal, before.excess, before.direction);
-  add_dyad(record, System::diagonal, after.excess, after.direction);
-  add_dyad(record, System::coupling, after.excess, after.direction);
+  add_dyad_to_diagonal(record, before.excess, before.direction);
+  add_dyad_to_diagonal(record, after.excess, after.direction);
+  add_dyad_to_coupling(record, after.excess, after.direction);
 }
 
 /// Adds the hinge between the rods k − 1 and k to the records of its three nodes.
@@ -164,10 +174,10 @@ FIBERFATE_INLINE void add_hinge(const AssemblyQuery& query, const Reader& read, 
   for (int j = 0; j < 3; ++j) {
     double* node = record + static_cast<long>(j) * System::size * lanes;
     add_triple(node, System::load, (-stiffness * gamma[j]) * carried);
-    add_isotropic(node, System::diagonal, implicit * gamma[j] * gamma[j]);
+    add_to_diagonal(node, implicit * gamma[j] * gamma[j]);
   }
-  add_isotropic(record, System::coupling, implicit * gamma[0] * gamma[1]);
-  add_isotropic(record + System::size * lanes, System::coupling, implicit * gamma[1] * gamma[2]);
+  add_to_coupling(record, implicit * gamma[0] * gamma[1]);
+  add_to_coupling(record + System::size * lanes, implicit * gamma[1] * gamma[2]);
   add_to(part(record, System::second), implicit * gamma[0] * gamma[2]);
 }
 

@@ -46,6 +46,9 @@ FIBERFATE_INLINE Symmetric load_symmetric(const double* p) {
 FIBERFATE_INLINE Block full(const Symmetric& s) {
   return {{s.xx, s.xy, s.zx}, {s.xy, s.yy, s.yz}, {s.zx, s.yz, s.zz}};
 }
+FIBERFATE_INLINE Block load_block(const double* p) {
+  return {load_column(p), load_column(p + 3 * lanes), load_column(p + 6 * lanes)};
+}
 FIBERFATE_INLINE Column minus_scaled(const Column& a, const Pack& f, const Column& b) {
   return {a.x - f * b.x, a.y - f * b.y, a.z - f * b.z};
 }
@@ -154,7 +157,7 @@ FIBERFATE_INLINE Front first_front(const double* first, const double* second) {
   Front front;
   front.here = load_symmetric(first + ChainSystem::diagonal * lanes);
   front.here_load = load_column(first + ChainSystem::load * lanes);
-  front.couple = full(load_symmetric(first + ChainSystem::coupling * lanes));
+  front.couple = load_block(first + ChainSystem::coupling * lanes);
   front.next = load_symmetric(second + ChainSystem::diagonal * lanes);
   front.next_load = load_column(second + ChainSystem::load * lanes);
   return front;
@@ -163,7 +166,7 @@ FIBERFATE_INLINE Front first_front(const double* first, const double* second) {
 /// Takes node k + 2 into the front; where there is none, node k couples with nothing beyond and any record
 /// serves.
 FIBERFATE_INLINE void take_third(Front& front, const double* second, const double* third) {
-  front.couple2 = full(load_symmetric(second + ChainSystem::coupling * lanes));
+  front.couple2 = load_block(second + ChainSystem::coupling * lanes);
   front.third = load_symmetric(third + ChainSystem::diagonal * lanes);
   front.third_load = load_column(third + ChainSystem::load * lanes);
 }

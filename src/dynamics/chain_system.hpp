@@ -20,9 +20,9 @@ struct GroupShares {
 /// tensions:
 ///   diagonal_k w_k + coupling_{k-1}ᵀ w_{k-1} + coupling_k w_{k+1} + second_k (w_{k+2}, w_{k-2}) − p_k λ_k +
 ///   p_{k−1} λ_{k−1} = load_k p_k · (w_{k+1} − w_k) + regular_k λ_k = stretch_k
-/// Symmetric blocks are xx, yy, zz, yz, zx, xy. A node of a lane that has fewer nodes is an identity with no
-/// load. The storage is plain doubles, [node][component][lane], because kernels of several instruction sets
-/// share it.
+/// Diagonal blocks are symmetric: xx, yy, zz, yz, zx, xy; couplings are stored by columns. A node of a lane
+/// that has fewer nodes is an identity with no load. The storage is plain doubles, [node][component][lane],
+/// because kernels of several instruction sets share it.
 class ChainSystem {
  public:
   static constexpr int lanes = 8;
@@ -30,12 +30,12 @@ class ChainSystem {
   enum Component {
     diagonal = 0,
     coupling = 6,
-    second = 12,
-    load = 13,
-    direction = 16,
-    stretch = 19,
-    regular = 20,
-    size = 21
+    second = 15,
+    load = 16,
+    direction = 19,
+    stretch = 22,
+    regular = 23,
+    size = 24
   };
   /// Size of what elimination keeps of a node for back substitution.
   static constexpr int kept = 28;

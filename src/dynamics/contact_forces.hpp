@@ -10,8 +10,9 @@ namespace fiberfate {
 /// States what the forces of a chunk of contacts depend on besides the contacts. Plain pointers, because
 /// kernels of several instruction sets share it.
 struct ForceQuery {
-  const double* relative_velocity;  ///< w of the last solve, three numbers a node, m/s
-  const double* gradient;           ///< kappa by columns, 1/s
+  const double* position;           ///< of the nodes, three numbers a node, m
+  const double* relative_velocity;  ///< w of the last solve, m/s
+  const double* strain_rate;        ///< D by columns, 1/s
   double step;                      ///< s
   Friction friction;
   const NormalForce::Constants* laws;  ///< by pair of materials

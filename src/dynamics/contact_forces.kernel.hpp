@@ -46,21 +46,39 @@ FIBERFATE_INLINE Pack normal_force(const LawPack& law, const Pack& distance) {
   return larger(choose(distance > law.cutoff - 0.4 * law.ramp, rise, lesser), broadcast(0));
 }
 
-/// Velocity relative to the fluid at the place `s` of each lane's rod.
-FIBERFATE_INLINE Triple velocity_at(const double* w, const Index* rods, const Pack& s) {
+/// Holds how each lane's rod moves at its place s: the velocity relative to the fluid, and what its turning
+/// adds there, in the direction n away from the axis and for each unit of distance.
+struct SkinMotion {
+  Triple velocity, turning;
+};
+
+/// With q = (w_{i+1} − w_i)/l + D·p the rod turns at p × q relative to the fluid's rotation, and
+/// (p × q) × n = q (p·n) − p (q·n).
+FIBERFATE_INLINE SkinMotion motion_at(const ForceQuery& query, const Index* rods, const Pack& s,
+                                      const Triple& n) {
   const double* begin[lanes];
   const double* end[lanes];
+  const double* place[lanes];
+  const double* next[lanes];
   for (int lane = 0; lane < lanes; ++lane) {
-    begin[lane] = w + 3 * static_cast<long>(rods[lane]);
+    const long at = 3 * static_cast<long>(rods[lane]);
+    begin[lane] = query.relative_velocity + at;
     end[lane] = begin[lane] + 3;
+    place[lane] = query.position + at;
+    next[lane] = place[lane] + 3;
   }
-  return (1.0 - s) * read_triples(begin) + s * read_triples(end);
+  const Triple w = read_triples(begin);
+  const Triple change = read_triples(end) - w;
+  const Triple axis = read_triples(next) - read_triples(place);
+  const Pack inverse_length = 1.0 / square_root(dot(axis, axis));
+  const Triple p = inverse_length * axis;
+  const Triple q = inverse_length * change + transform(query.strain_rate, p);
+  return {w + s * change, dot(p, n) * q - dot(q, n) * p};
 }
 
 }  // namespace
 
 void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, PairForce* forces) {
-  const double* w = query.relative_velocity;
   const LawPack one_law = same_law(query.laws[0]);
   const double slip2 = query.friction.slip_velocity * query.friction.slip_velocity;
   for (int i = 0; i < contacts.count; i += lanes) {
@@ -69,8 +87,12 @@ void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, Pai
     const Pack distance = read(contacts.distance + i);
     const Triple n = {read(contacts.normal[0] + i), read(contacts.normal[1] + i),
                       read(contacts.normal[2] + i)};
-    const Triple relative = velocity_at(w, contacts.first + i, s) - velocity_at(w, contacts.second + i, t) +
-                            distance * transform(query.gradient, n);
+    const SkinMotion first = motion_at(query, contacts.first + i, s, n);
+    const SkinMotion second = motion_at(query, contacts.second + i, t, n);
+    // Turning moves the skins along each other, never apart.
+    const Triple relative = first.velocity - second.velocity + distance * transform(query.strain_rate, n) -
+                            (0.5 * distance) * (first.turning + second.turning);
+
     const Pack approach = dot(n, relative);
     const Triple slip = relative - approach * n;
 

@@ -45,8 +45,10 @@ void ContactLoads::arrange_walls(const FiberState& state) {
 }
 
 void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& context) {
-  const ForceQuery query{context.relative_velocity[0].data(),
-                         context.flow.gradient.data(),
+  const Mat3 strain_rate = context.flow.rate_of_strain();
+  const ForceQuery query{context.position[0].data(),
+                         context.relative_velocity[0].data(),
+                         strain_rate.data(),
                          context.step,
                          {parameters_.friction, parameters_.slip_velocity},
                          constants_.data(),

@@ -16,6 +16,7 @@ namespace fiberfate {
 
 /// Holds what the loads of a step are linearised about.
 struct LoadContext {
+  std::span<const Vec3> position;           ///< of the nodes, m
   std::span<const Vec3> relative_velocity;  ///< w of the last solve, one a node, m/s
   Flow flow;
   double step = 0;  ///< s
@@ -29,7 +30,8 @@ struct LoadContext {
 /// with k the stiffness of the normal force and z the resistance of friction; side j gets the opposite force
 /// with its own w. At w = w_old action equals reaction exactly. The factor 2 makes the two one-sided terms
 /// bound the coupled one, (v_i − v_j)² <= 2 v_i² + 2 v_j²: velocities converge monotonically, without
-/// ringing, at any step.
+/// ringing, at any step. Slip is that of the skins, midway between the axes (the rods' spin is the fluid's),
+/// and friction acts there: it turns the rods, too (PairForce).
 class ContactLoads {
  public:
   ContactLoads(const ContactParameters& parameters, const FiberState& state);

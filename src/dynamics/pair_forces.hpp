@@ -13,8 +13,10 @@ namespace fiberfate {
 /// Holds the force of one contact, linearised about the velocities w_old with which it was evaluated, each
 /// side in its own velocity: at x_1 = (1 − s) x_i + s x_{i+1} of the first rod act
 ///   force − R (w − w_old),   R = along n nᵀ + across (I − n nᵀ)
-/// and at x_2 of the second, place t, −force − R (w − w_old). Resistances are in single precision: they only
-/// bound how the force changes, both sides use the same numbers, and at w = w_old they drop out.
+/// and at x_2 of the second, place t, −force − R (w − w_old). Both rods also get the couple −(d/2) n × force,
+/// because they touch midway between the axes; its part along a rod's axis, which would spin the rod, is
+/// taken up by the fiber's torsion, which the model does not follow. Resistances are in single precision:
+/// they only bound how the force changes, both sides use the same numbers, and at w = w_old they drop out.
 ///
 /// Plain numbers, because kernels of several instruction sets write it.
 struct PairForce {

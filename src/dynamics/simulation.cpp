@@ -132,7 +132,7 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
   for (int sweep = 0; sweep < parameters.contact.sweeps; ++sweep) {
     {
       const PhaseTimer timer(times, Phase::loads);
-      loads.evaluate(search.contacts(), {velocity, now, step});
+      loads.evaluate(search.contacts(), {state.position, velocity, now, step});
     }
     const PhaseTimer timer(times, Phase::solve);
     const ChainProblem problem{state,          middle,   unit_drag,

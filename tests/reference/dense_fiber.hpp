@@ -74,6 +74,7 @@ struct PointLoad {
   int rod = 0;
   double place = 0;  ///< in [0, 1] from the rod's first node
   Vec3 force = Vec3::Zero();
+  Vec3 off_axis = Vec3::Zero();  ///< from the axis at `place` to where the force acts, m
 };
 
 /// Holds everything that acts on a fiber besides drag and bending.
@@ -132,7 +133,8 @@ class DenseSystem {
   /// Adds an external force.
   void add(const PointLoad& load) {
     right_.segment<3>(force_row(load.rod)) -= load.force;
-    right_.segment<3>(torque_row(load.rod)) -= (load.place * fiber_.axis(load.rod)).cross(load.force);
+    right_.segment<3>(torque_row(load.rod)) -=
+        (load.place * fiber_.axis(load.rod) + load.off_axis).cross(load.force);
   }
 
   /// Adds forces on the nodes that depend linearly on the nodes' velocities: force − damping · v.

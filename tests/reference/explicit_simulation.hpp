@@ -71,8 +71,9 @@ class ExplicitSimulation {
     std::vector<DenseLoads> loads(std::size_t(state_.fiber_count()));
     for (const PairContact& contact : contacts()) {
       const Vec3 force = force_on_first(contact);
-      add_load(contact.first, contact.s, force, loads);
-      add_load(contact.second, contact.t, -force, loads);
+      const Vec3 half_way = 0.5 * contact.distance * contact.normal;
+      add_load(contact.first, {0, contact.s, force, -half_way}, loads);
+      add_load(contact.second, {0, contact.t, -force, half_way}, loads);
     }
     for (Index f = 0; f < state_.fiber_count(); ++f) {
       const auto first = state_.position.begin();
@@ -87,14 +88,25 @@ class ExplicitSimulation {
     }
   }
 
-  /// Normal force and Coulomb friction, with the slip of the last step.
+  /// Velocity of a rod's skin at `off_axis` from its axis: the rod turns with its nodes, and spins about its
+  /// axis with the fluid.
+  [[nodiscard]] Vec3 skin_velocity(Index rod, double place, const Vec3& off_axis) const {
+    const auto k = std::size_t(rod);
+    const Vec3 axis = state_.position[k + 1] - state_.position[k];
+    const Vec3 p = axis.normalized();
+    const Vec3 v =
+        state_.relative_velocity[k] + place * (state_.relative_velocity[k + 1] - state_.relative_velocity[k]);
+    const Vec3 change = state_.relative_velocity[k + 1] - state_.relative_velocity[k] + flow_.gradient * axis;
+    const Vec3 rotation = p.cross(change) / axis.norm() + p.dot(flow_.angular_velocity()) * p;
+    return v + rotation.cross(off_axis);
+  }
+
+  /// Normal force and Coulomb friction at the skins, midway between the axes, with the slip of the last step.
   [[nodiscard]] Vec3 force_on_first(const PairContact& contact) const {
-    const auto velocity = [&](Index rod, double place) -> Vec3 {
-      return (1 - place) * state_.relative_velocity[std::size_t(rod)] +
-             place * state_.relative_velocity[std::size_t(rod) + 1];
-    };
     const Vec3& n = contact.normal;
-    const Vec3 relative = velocity(contact.first, contact.s) - velocity(contact.second, contact.t) +
+    const Vec3 half_way = 0.5 * contact.distance * n;
+    const Vec3 relative = skin_velocity(contact.first, contact.s, -half_way) -
+                          skin_velocity(contact.second, contact.t, half_way) +
                           contact.distance * (flow_.gradient * n);
     const Vec3 slip = relative - n.dot(relative) * n;
     const double normal = normal_force(contact.distance);
@@ -102,10 +114,11 @@ class ExplicitSimulation {
     return normal * n - contact_.friction * normal / speed * slip;
   }
 
-  void add_load(Index rod, double place, const Vec3& force, std::vector<DenseLoads>& loads) const {
+  void add_load(Index rod, PointLoad load, std::vector<DenseLoads>& loads) const {
     const auto after = std::upper_bound(state_.first_node.begin(), state_.first_node.end(), rod);
     const auto fiber = std::size_t(after - state_.first_node.begin() - 1);
-    loads[fiber].points.push_back({int(rod - state_.first_node[fiber]), place, force});
+    load.rod = int(rod - state_.first_node[fiber]);
+    loads[fiber].points.push_back(load);
   }
 
   void add_contacts(Index f, Index g, std::vector<PairContact>& found) const {

@@ -35,12 +35,23 @@ FiberState crossing_rods() {
   return state;
 }
 
-/// Velocity of the upper rod along x relative to the fluid. The forces act at the rod's middle, so it only
-/// moves: m zeta w = −mu F_N s/|s| with the slip s = rate · distance + 2 w. Either friction holds, s = 0 and
-/// w = −rate · distance/2, or it is overcome and w = −mu F_N/(m zeta).
+// Rotational drag of a rod over its drag, S2/m + zeta_r/zeta = a² (m² + 3)/3, and its shape factor.
+const double turning = radius * radius * (beads * beads + 3) / 3;
+const double shape = (beads * beads - 1) / (beads * beads + 3);
+/// Slip of the skins of free rods: the shear separates the axes at rate · distance; the rods' rotation, spin
+/// with the fluid about their axes (1, 0, ±1)/sqrt 2 and turning with the shape factor across them, takes
+/// away the rest.
+const double free_slip = (0.5 + 0.25 * shape) * rate * distance;
+/// Velocity w of the upper rod along x relative to the fluid at which friction holds: friction F moves the
+/// rods by F/(m zeta), and its couple turns them, so the slip is free_slip − 2 F/(m zeta) (1 + distance²/(8
+/// turning)).
+const double holding = free_slip / 2 / (1 + distance * distance / (8 * turning));
+
+/// Velocity of the upper rod along x relative to the fluid: either friction holds, or it is overcome and
+/// w = −mu F_N/(m zeta).
 double theory(double friction) {
   const double normal = NormalForce(soft_contact(friction), radius)(distance);
-  return -std::min(rate * distance / 2, friction * normal / resistance);
+  return -std::min(holding, friction * normal / resistance);
 }
 
 Vec3 middle_velocity(const FiberState& state, Index fiber) {
@@ -59,7 +70,7 @@ FiberState settled(double friction) {
 }
 
 TEST(Friction, SticksOrSlidesAsCoulombSays) {
-  const double critical = resistance * rate * distance / 2 / NormalForce(soft_contact(0), radius)(distance);
+  const double critical = resistance * holding / NormalForce(soft_contact(0), radius)(distance);
   for (const double share : {0.0, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0}) {
     const FiberState state = settled(share * critical);
     const double expected = theory(share * critical);
