@@ -109,6 +109,9 @@ void collect_shares(const PairForces& pairs, const ChainGroup& group, GroupShare
   into.shares.clear();
   into.ends.clear();
   for (int lane = 0; lane < System::lanes; ++lane) {
+    for (int i = 0; i < group.used[lane]; ++i) pairs.fetch(group.first[lane] + i);
+  }
+  for (int lane = 0; lane < System::lanes; ++lane) {
     for (int i = 0; i < group.used[lane]; ++i) {
       pairs.of_rod(group.first[lane] + i, into.shares);
       into.ends.push_back(into.shares.size());

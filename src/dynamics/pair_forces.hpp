@@ -49,6 +49,11 @@ class PairForces {
   /// Tells the rods of a chunk of contacts that the forces from `begin` on act on them; any thread may do so.
   void link(Index begin, const ContactChunk& contacts);
 
+  /// Asks the memory for what of_rod() will read of a rod.
+  void fetch(Index rod) const {
+    const Index head = head_[static_cast<std::size_t>(rod)];
+    if (head >= 0) __builtin_prefetch(&links_[static_cast<std::size_t>(head)]);
+  }
   /// Appends the shares of a rod, ordered by who exerts them (rod, then image seen from this one): sums over
   /// them always round alike.
   void of_rod(Index rod, std::vector<Share>& shares) const;
