@@ -104,7 +104,8 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
     const Pack asleep = larger(gap, zero) * (1 - 1e-6);
     *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
-    block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(gap < __builtin_convertvector(ahead, Pack)));
+    const Mask is_near = gap < __builtin_convertvector(ahead, Pack);
+    block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(is_near));
   }
 }
 

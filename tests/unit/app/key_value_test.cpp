@@ -102,7 +102,8 @@ TEST(Orientation, IsReadInEveryForm) {
 
 TEST(Orientation, IsRefusedWhenNoFibersCouldHaveIt) {
   EXPECT_EQ(orientation_complaint("[0.6, 0.3, 0.2]"), "the trace of the orientation tensor is 1.1, not 1");
-  EXPECT_EQ(orientation_complaint("[1.2, -0.1, -0.1]"), "the orientation tensor has the eigenvalue -0.1, and no fibers have a negative one");
+  EXPECT_EQ(orientation_complaint("[1.2, -0.1, -0.1]"),
+            "the orientation tensor has the eigenvalue -0.1, and no fibers have a negative one");
   EXPECT_EQ(orientation_complaint("[[0.4, 0.1, 0.0], [0.0, 0.3, 0.0], [0.0, 0.0, 0.3]]"),
             "the tensor is not symmetric");
   EXPECT_EQ(orientation_complaint("[0.5, 0.5]"), "not an orientation tensor");
