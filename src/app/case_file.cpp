@@ -42,9 +42,9 @@ const Study& study_of(const TomlDocument& document) {
   if (study != nullptr) return *study;
   InputProblem problem = problem_at(*entry);
   problem.complaint = "there is no such study, so nothing else can be checked";
-  const std::string_view nearest = text == nullptr ? std::string_view() : nearest_word(*text, study_names());
-  problem.remedy =
-      nearest.empty() ? "give " + listed(study_names()) : fmt::format("did you mean \"{}\"?", nearest);
+  const std::vector<std::string> names = study_names();
+  const std::string_view nearest = text == nullptr ? std::string_view() : nearest_word(*text, names);
+  problem.remedy = nearest.empty() ? "give " + listed(names) : fmt::format("did you mean \"{}\"?", nearest);
   throw InputError({problem});
 }
 
