@@ -1,21 +1,14 @@
 // Saves and restores runs as HDF5 files.
 #include "app/checkpoint.hpp"
 
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <span>
 
-#include "app/run_log.hpp"
+#include "app/checkpoint_file.hpp"
 #include "base/error.hpp"
-#include "base/version.hpp"
-#include "io/atomic_file.hpp"
-#include "io/hdf5_file.hpp"
 
 namespace fiberfate {
 namespace {
-
-constexpr std::int64_t format_version = 1;
 
 template <class T>
 std::span<const T> view(const std::vector<T>& values) {
@@ -151,39 +144,24 @@ bool is_whole(const FiberState& state) {
          static_cast<std::size_t>(state.first_node.back()) == nodes;
 }
 
-/// Writes a whole new file beside the one that it will replace and tells its name.
-std::string write_fresh(const std::string& path, const Checkpoint& checkpoint) {
-  const std::string fresh = path + ".new";
-  try {
-    Hdf5File file = Hdf5File::create(fresh);
-    file.write_attribute("/", "format_version", format_version);
-    file.write_text_attribute("/", "program_version", version);
+/// Fills a new checkpoint file.
+CheckpointBody body_of(const Checkpoint& checkpoint) {
+  return [&checkpoint](Hdf5File& file) {
     Saver saver(file);
     visit_state(saver, checkpoint.state);
     visit_record(saver, checkpoint.record);
     write_rest(file, checkpoint);
-    file.close();
-    sync_file(fresh);
-  } catch (const StorageError&) {
-    std::error_code ignored;  // the first error is the one to report
-    std::filesystem::remove(fresh, ignored);
-    throw;
-  }
-  return fresh;
+  };
 }
 
 }  // namespace
 
 void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
-  rename_file(write_fresh(path, checkpoint), path);
+  write_checkpoint_file(path, body_of(checkpoint));
 }
 
 Checkpoint read_checkpoint(const std::string& path) {
-  const Hdf5File file = Hdf5File::open(path, Hdf5File::Access::read);
-  const auto found = file.read_attribute<std::int64_t>("/", "format_version");
-  if (found != format_version)
-    throw StorageError(fmt::format("cannot read {}: its format is version {}, this program reads {}", path,
-                                   found, format_version));
+  const Hdf5File file = open_checkpoint_file(path);
   Checkpoint checkpoint;
   Loader loader(file);
   visit_state(loader, checkpoint.state);
@@ -195,21 +173,13 @@ Checkpoint read_checkpoint(const std::string& path) {
 }
 
 void save_checkpoint(const ResultFolder& folder, const Checkpoint& checkpoint) {
-  // The new one is whole on disk before the older two move up, so there is a sound one at any moment.
-  const std::string fresh = write_fresh(folder.checkpoint(), checkpoint);
-  if (std::filesystem::exists(folder.checkpoint()))
-    rename_file(folder.checkpoint(), folder.previous_checkpoint());
-  rename_file(fresh, folder.checkpoint());
+  rotate_checkpoints(folder, body_of(checkpoint));
 }
 
 Checkpoint load_checkpoint(const ResultFolder& folder, RunLog& log) {
-  try {
-    return read_checkpoint(folder.checkpoint());
-  } catch (const StorageError& error) {
-    if (!std::filesystem::exists(folder.previous_checkpoint())) throw;
-    log.warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
-    return read_checkpoint(folder.previous_checkpoint());
-  }
+  Checkpoint checkpoint;
+  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_checkpoint(path); });
+  return checkpoint;
 }
 
 bool has_checkpoint(const ResultFolder& folder) {

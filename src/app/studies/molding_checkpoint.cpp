@@ -3,20 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <span>
 #include <utility>
 
-#include "app/run_log.hpp"
+#include "app/checkpoint_file.hpp"
 #include "base/error.hpp"
-#include "base/version.hpp"
-#include "io/atomic_file.hpp"
-#include "io/hdf5_file.hpp"
 
 namespace fiberfate {
 namespace {
-
-constexpr std::int64_t format_version = 1;
 
 /// Writes parts of a checkpoint or reads them back: one list of names serves both ways.
 class Saver {
@@ -169,12 +163,9 @@ Shell read_shell(const Hdf5File& file) {
   return shell;
 }
 
-std::string write_fresh(const std::string& path, const MoldingCheckpoint& checkpoint) {
-  const std::string fresh = path + ".new";
-  try {
-    Hdf5File file = Hdf5File::create(fresh);
-    file.write_attribute("/", "format_version", format_version);
-    file.write_text_attribute("/", "program_version", version);
+/// Fills a new checkpoint file.
+CheckpointBody body_of(const MoldingCheckpoint& checkpoint) {
+  return [&checkpoint](Hdf5File& file) {
     file.write_text_attribute("/", "study", "molding");
     file.make_group("state");
     MoldingCheckpoint copy = checkpoint;
@@ -183,36 +174,21 @@ std::string write_fresh(const std::string& path, const MoldingCheckpoint& checkp
     visit_record(saver, copy.record);
     write_structures(file, checkpoint);
     write_shell(file, checkpoint.shell);
-    file.close();
-    sync_file(fresh);
-  } catch (const StorageError&) {
-    std::error_code ignored;  // the first error is the one to report
-    std::filesystem::remove(fresh, ignored);
-    throw;
-  }
-  return fresh;
+  };
 }
 
 }  // namespace
 
 void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint) {
-  rename_file(write_fresh(path, checkpoint), path);
+  write_checkpoint_file(path, body_of(checkpoint));
 }
 
 void save_molding(const ResultFolder& folder, const MoldingCheckpoint& checkpoint) {
-  // The new one is whole on disk before the older two move up, so there is a sound one at any moment.
-  const std::string fresh = write_fresh(folder.checkpoint(), checkpoint);
-  if (std::filesystem::exists(folder.checkpoint()))
-    rename_file(folder.checkpoint(), folder.previous_checkpoint());
-  rename_file(fresh, folder.checkpoint());
+  rotate_checkpoints(folder, body_of(checkpoint));
 }
 
 MoldingCheckpoint read_molding(const std::string& path) {
-  const Hdf5File file = Hdf5File::open(path, Hdf5File::Access::read);
-  const auto found = file.read_attribute<std::int64_t>("/", "format_version");
-  if (found != format_version)
-    throw StorageError(fmt::format("cannot read {}: its format is version {}, this program reads {}", path,
-                                   found, format_version));
+  const Hdf5File file = open_checkpoint_file(path);
   MoldingCheckpoint checkpoint;
   Loader loader(file);
   visit_state(loader, checkpoint.state);
@@ -223,13 +199,9 @@ MoldingCheckpoint read_molding(const std::string& path) {
 }
 
 MoldingCheckpoint load_molding(const ResultFolder& folder, RunLog& log) {
-  try {
-    return read_molding(folder.checkpoint());
-  } catch (const StorageError& error) {
-    if (!std::filesystem::exists(folder.previous_checkpoint())) throw;
-    log.warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
-    return read_molding(folder.previous_checkpoint());
-  }
+  MoldingCheckpoint checkpoint;
+  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_molding(path); });
+  return checkpoint;
 }
 
 }  // namespace fiberfate
