@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "app/studies/attrition_run.hpp"
 #include "app/studies/fiber_sections.hpp"
-#include "base/version.hpp"
 
 namespace fiberfate {
 namespace {
@@ -77,9 +75,6 @@ HistogramSection histogram_section(const CsvTable& table) {
 ReportDocument report_attrition(const AttritionCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Fiber attrition";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "attrition";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");

@@ -10,7 +10,6 @@
 #include "app/studies/calibration_data.hpp"
 #include "app/studies/calibration_run.hpp"
 #include "app/summary.hpp"
-#include "base/version.hpp"
 #include "io/csv_table.hpp"
 
 namespace fiberfate {
@@ -184,9 +183,6 @@ void append_profiles(const CalibrationCase& values, const ResultFolder& folder, 
 ReportDocument report_calibration(const CalibrationCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Calibration of " + calibrated_law(values).name;
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "calibration";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));

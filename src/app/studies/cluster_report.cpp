@@ -3,12 +3,10 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "app/studies/cluster_run.hpp"
 #include "app/studies/fiber_sections.hpp"
-#include "base/version.hpp"
 
 namespace fiberfate {
 namespace {
@@ -132,9 +130,6 @@ LinesSection pair_section(const SummaryFile& summary) {
 ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "A packing of fibers";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "cluster";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));

@@ -8,7 +8,6 @@
 #include "app/result_folder.hpp"
 #include "app/studies/measurement_run.hpp"
 #include "app/summary.hpp"
-#include "base/version.hpp"
 #include "io/csv_table.hpp"
 
 namespace fiberfate {
@@ -104,9 +103,6 @@ HeatmapSection pole_figure(const ResultFolder& folder) {
 ReportDocument report_measurement(const MeasurementCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Measured fibers";
-  document.subtitle = file_name(folder.path());
-  document.study = "measurement";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));

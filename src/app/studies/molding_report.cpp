@@ -8,7 +8,6 @@
 #include "app/studies/fiber_sections.hpp"
 #include "app/studies/molding_run.hpp"
 #include "app/studies/molding_sections.hpp"
-#include "base/version.hpp"
 
 namespace fiberfate {
 namespace {
@@ -123,9 +122,6 @@ void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vect
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Mold filling";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "molding";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");

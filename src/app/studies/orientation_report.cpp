@@ -1,9 +1,7 @@
 // Builds the report of the study orientation from the files of its result folder.
-#include <filesystem>
 
 #include "app/studies/fiber_sections.hpp"
 #include "app/studies/orientation_run.hpp"
-#include "base/version.hpp"
 
 namespace fiberfate {
 namespace {
@@ -63,9 +61,6 @@ LinesSection components_section(const OrientationCase& values, const CsvTable& s
 ReportDocument report_orientation(const OrientationCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Fiber orientation";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "orientation";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");

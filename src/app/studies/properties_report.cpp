@@ -1,13 +1,10 @@
 // Builds the report of the study properties from the files of its result folder.
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "app/report_document.hpp"
 #include "app/result_folder.hpp"
 #include "app/studies/properties_run.hpp"
 #include "app/summary.hpp"
-#include "base/version.hpp"
 #include "io/csv_table.hpp"
 
 namespace fiberfate {
@@ -68,9 +65,6 @@ LinesSection modulus_section(const ResultFolder& folder) {
 ReportDocument report_properties(const PropertiesCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Properties of the part";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "properties";
-  document.version = version;
   const SummaryFile summary(folder.summary());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));

@@ -7,7 +7,6 @@
 #include "app/studies/fiber_sections.hpp"
 #include "app/studies/shear_cell_run.hpp"
 #include "app/studies/shear_cell_series.hpp"
-#include "base/version.hpp"
 
 namespace fiberfate {
 namespace {
@@ -133,9 +132,6 @@ std::vector<double> histogram_times(const ShearCellCase& values, const VtkhdfRea
 ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Fibers in a sheared cell";
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
-  document.study = "shear_cell";
-  document.version = version;
   document.stop_reason = "unfinished";
   document.sections.emplace_back(asked(values));
   const bool finished = std::filesystem::exists(folder.summary());
