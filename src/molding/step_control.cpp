@@ -146,9 +146,16 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
 FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
                           const FlowField& field) {
   if (state.filled_volume >= (1 - settled_share) * mesh.total_volume()) return FillingEnd::filled;
+  // All melt is in. No machine drives it any more: what full nodes hold too much finds the last free places,
+  // however high the pressure that this takes.
+  if (settling(mesh, state))
+    return total_excess(state) <= settled_share * mesh.total_volume() ? FillingEnd::filled : FillingEnd::none;
   if (state.time >= params.process.longest_time * (1 - missing_share)) return FillingEnd::time;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   if (!field.limited || state.flow_rate > least_rate_share * set_rate) return FillingEnd::none;
+  // A last corner may fill slowly: the shot is short when it would take longer than the filling was to take.
+  const double missing = mesh.total_volume() - state.injected_volume;
+  if (missing * set_rate < state.flow_rate * mesh.total_volume()) return FillingEnd::none;
   // What is on its way from full nodes moves the front as well.
   if (total_excess(state) > least_rate_share * mesh.total_volume() / params.numerics.steps)
     return FillingEnd::none;
