@@ -70,6 +70,7 @@ struct Filling::Parts {
 void Filling::Parts::start() {
   const std::size_t n = mesh.node_count(), points = n * layers.count();
   state.gates.assign(params.gates.size(), {});
+  state.sensor_arrivals.assign(params.sensors.size(), std::numeric_limits<double>::quiet_NaN());
   state.filled.assign(n, 0);
   state.excess.assign(n, 0);
   state.fill_time.assign(n, std::numeric_limits<double>::quiet_NaN());
@@ -126,6 +127,7 @@ void Filling::Parts::move_front() {
   step.edge_volume.assign(mesh.edges().size(), 0);
   step.gate_volume.assign(mesh.node_count(), 0);
   step.at_front.resize(mesh.node_count());
+  if (open_gates.empty()) return stand_still(params, mesh, gates, state, step, field);
   if (prime_gates(params, mesh, gates, open_gates, state, step, field)) return;
   timed(FillingPhase::flow, [&] { solve_flow(); });
   step.duration = step_duration(params, mesh, gates, state, field);
@@ -164,7 +166,9 @@ Filling::Filling(ShellMesh mesh, FillingParams params)
 Filling::Filling(ShellMesh mesh, FillingParams params, FillingState state)
     : Filling(std::move(mesh), std::move(params)) {
   const FillingState& empty = parts_->state;
-  bool fits = state.gates.size() == empty.gates.size() && state.filled.size() == empty.filled.size() &&
+  bool fits = state.gates.size() == empty.gates.size() &&
+              state.sensor_arrivals.size() == empty.sensor_arrivals.size() &&
+              state.filled.size() == empty.filled.size() &&
               state.temperature.size() == empty.temperature.size() &&
               state.lengths.size() == empty.lengths.size();
   for (std::size_t m = 0; m < 6; ++m)
@@ -188,7 +192,7 @@ void Filling::advance() {
     p.state.covered.clear();
     p.link_gates();
   }
-  if (p.open_gates.empty()) {
+  if (p.open_gates.empty() && !std::isfinite(p.gates.next_time(p.state))) {
     p.state.stop_reason = FillingEnd::short_shot;
   } else {
     p.move_front();
@@ -243,6 +247,12 @@ std::span<const double> Filling::lengths(std::size_t set, std::size_t node, std:
   const std::size_t point = node * layers().count() + layer;
   return std::span(state().lengths)
       .subspan(point * parts_->lengths.field_count() + parts_->lengths.field_begin(set), field_count(set));
+}
+
+std::span<const double> Filling::amounts(std::size_t node, std::size_t layer) const {
+  const LengthTransport& lengths = parts_->lengths;
+  const std::size_t end = (node * layers().count() + layer + 1) * lengths.field_count();
+  return std::span(state().lengths).subspan(end - lengths.amount_count(), lengths.amount_count());
 }
 
 std::vector<double> Filling::mean_lengths_of(std::size_t set, std::size_t node) const {

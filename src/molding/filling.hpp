@@ -52,7 +52,10 @@ class Filling {
   [[nodiscard]] std::size_t field_count(std::size_t set) const;
   /// Gives the lengths (m) of a set's classes at a point; for Phelps' law the numbers of fibers in its bins.
   [[nodiscard]] std::span<const double> lengths(std::size_t set, std::size_t node, std::size_t layer) const;
-  /// Averages the same over the gap.
+  /// Gives how much of every class there is at a point (MoldingFibers::class_weight tells of what), in
+  /// proportion; empty where it is the same at all gates.
+  [[nodiscard]] std::span<const double> amounts(std::size_t node, std::size_t layer) const;
+  /// Averages the lengths over the gap.
   [[nodiscard]] std::vector<double> mean_lengths_of(std::size_t set, std::size_t node) const;
   /// Gives the lengths of the bins of a set of Phelps' law, m; empty for other laws.
   [[nodiscard]] std::span<const double> bin_lengths(std::size_t set) const;

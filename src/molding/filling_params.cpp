@@ -10,7 +10,7 @@
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/admissibility.hpp"
 #include "molding/gap_layers.hpp"
-#include "molding/gate_nodes.hpp"
+#include "molding/gate_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -63,36 +63,6 @@ void check_process(const MoldingProcess& process, Problems& problems) {
                         "leave it out to have no limit"});
 }
 
-void check_trigger(const Trigger& trigger, const std::string& key, Problems& problems) {
-  const bool share = trigger.kind == TriggerKind::filled_fraction;
-  if (!(trigger.value >= 0) || (share && trigger.value > 1))
-    add(problems, key, trigger.value, "it is out of range",
-        share ? "give a filled fraction in 0 to 1" : "give a time or delay of at least 0 s");
-}
-
-void check_gates(const FillingParams& params, const ShellMesh& mesh, Problems& problems) {
-  if (params.gates.empty())
-    problems.push_back({"", 0, 0, "gates", "", "there are none", "place at least one gate on the part"});
-  bool some_open = params.gates.empty();
-  for (const Gate& gate : params.gates) {
-    const std::string key = "gate " + gate.name;
-    require_positive(problems, key + ".radius", gate.radius);
-    if (!(gate.resistance >= 0))
-      add(problems, key + ".resistance", gate.resistance, "it is negative", "give 0 for no runner");
-    check_trigger(gate.opens, key + ".opens", problems);
-    check_trigger(gate.closes, key + ".closes", problems);
-    some_open = some_open || gate.opens.kind == TriggerKind::start ||
-                (gate.opens.kind == TriggerKind::filled_fraction && gate.opens.value == 0);
-    const double gap = distance_from_part(gate, mesh);
-    if (gap > gate.radius)
-      add(problems, key + ".position", gap, "so many metres lie between the gate and the part",
-          "move the gate onto the middle surface of the part");
-  }
-  if (!some_open)
-    problems.push_back({"", 0, 0, "gates", "", "none is open at the start: the cavity cannot fill",
-                        "let at least one gate open at the start"});
-}
-
 void check_inlet(const InletFibers& inlet, const MoldingFibers& fibers, const std::string& key,
                  Problems& problems) {
   const std::string fault = fault_of(inlet.orientation, 1e-6);
@@ -104,6 +74,18 @@ void check_inlet(const InletFibers& inlet, const MoldingFibers& fibers, const st
          fmt::format("{} lengths for {} classes", inlet.lengths.size(), fibers.class_lengths.size()),
          "give one length a class, or none"});
   for (const double length : inlet.lengths) require_positive(problems, key + ".lengths", length);
+  if (inlet.numbers.empty()) return;
+  if (inlet.numbers.size() != fibers.class_lengths.size() ||
+      fibers.class_numbers.size() != fibers.class_lengths.size())
+    problems.push_back(
+        {"", 0, 0, key + ".numbers", "",
+         fmt::format("{} numbers for {} classes", inlet.numbers.size(), fibers.class_lengths.size()),
+         "give one number a class, here and for all gates"});
+  double sum = 0;
+  for (const double number : inlet.numbers) sum += number >= 0 ? number : std::nan("");
+  if (!(sum > 0) || !std::isfinite(sum))
+    add(problems, key + ".numbers", sum, "some are negative, or none is positive",
+        "give numbers of fibers, at least one above zero");
 }
 
 void check_fibers(const FillingParams& params, Problems& problems) {

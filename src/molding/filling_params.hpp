@@ -33,6 +33,7 @@ struct FillingParams {
   MoldingMaterial material;
   MoldingProcess process;
   std::vector<Gate> gates;
+  std::vector<Sensor> sensors = {};
   MoldingFibers fibers;
   FillingNumerics numerics;
 };

@@ -43,16 +43,15 @@ struct FillingEvent {
   int gate = -1;
 };
 
-/// Says where a gate stands.
-enum class GatePhase { closed_yet, open, closed_again };
-
 /// Holds the state of one gate.
 struct GateState {
-  GatePhase phase = GatePhase::closed_yet;
-  double arrival_time = std::numeric_limits<double>::quiet_NaN();  ///< of the front at gate or sensor, s
+  int moves = 0;  ///< how often it has opened or closed: odd while it is open
+  double arrival_time = std::numeric_limits<double>::quiet_NaN();  ///< of the front, s; NaN before
   double pressure = 0;                                             ///< Pa
   double rate = 0;                                                 ///< into the cavity, m³/s
   double volume = 0;                                               ///< that has come in so far, m³
+
+  [[nodiscard]] bool is_open() const { return moves % 2 == 1; }
 };
 
 /// Accounts for heat since the start, J (inlet temperature minus mold temperature counts as heat content).
@@ -78,6 +77,7 @@ struct FillingState {
   double injected_volume = 0;                                      ///< m³
   double filled_volume = 0;  ///< m³; equal to `injected_volume` but for round-off and `excess`
   std::vector<GateState> gates;
+  std::vector<double> sensor_arrivals;  ///< by sensor, s; NaN before
   std::vector<FillingEvent> events;
   HeatAccount heat;
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/vector.hpp"
 
@@ -15,14 +16,29 @@ enum class TriggerKind {
   never,            ///< not at all
   filled_fraction,  ///< when this share of the cavity is filled (value in 0 to 1)
   time,             ///< at this time, s
-  arrival           ///< when the front has reached the gate, or `sensor`; value is a delay, s
+  arrival           ///< when the front has reached the gate, or a sensor; value is a delay, s
 };
+
+/// Stands for the gate itself where a trigger names a sensor.
+inline constexpr int own_gate = -1;
 
 /// Says when a gate opens or closes.
 struct Trigger {
   TriggerKind kind = TriggerKind::start;
   double value = 0;
-  std::optional<Vec3> sensor = {};  ///< m; the gate itself when empty
+  int sensor = own_gate;  ///< number of the sensor whose arrival counts
+};
+
+/// Says when a gate is open: from one trigger to the next.
+struct OpenInterval {
+  Trigger opens = {};
+  Trigger closes = {TriggerKind::never};
+};
+
+/// Marks a place of the part at which the front's arrival is noticed: the nearest node.
+struct Sensor {
+  std::string name;
+  Vec3 position = Vec3::Zero();  ///< m
 };
 
 /// Describes one gate. It feeds all nodes within `radius` of the line from `position` to `end`, at one
@@ -35,8 +51,7 @@ struct Gate {
   std::optional<Vec3> end = {};  ///< other end of an edge or film gate, m
   double radius = 1e-3;          ///< m
   double resistance = 0;         ///< of the runner from the sprue, Pa s/m³: p_sprue - p_gate = R Q
-  Trigger opens = {};
-  Trigger closes = {TriggerKind::never, 0, {}};
+  std::vector<OpenInterval> intervals = std::vector<OpenInterval>(1);  ///< one after the other
 };
 
 }  // namespace fiberfate

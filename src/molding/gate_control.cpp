@@ -17,18 +17,24 @@ constexpr double round_off = 1e-12;
 
 GateControl::GateControl(const ShellMesh& mesh, const FillingParams& params)
     : mesh_(&mesh), params_(&params) {
-  for (const Gate& gate : params.gates) {
-    nodes_.push_back(nodes_of(gate, mesh));
-    const auto& sensor = gate.opens.sensor ? gate.opens.sensor : gate.closes.sensor;
-    if (sensor) {
-      sensors_.push_back({static_cast<Index>(mesh.nearest_node(*sensor))});
-    } else {
-      sensors_.push_back(nodes_.back());
-    }
-  }
+  for (const Gate& gate : params.gates) nodes_.push_back(nodes_of(gate, mesh));
+  for (const Sensor& sensor : params.sensors)
+    sensors_.push_back(static_cast<Index>(mesh.nearest_node(sensor.position)));
 }
 
-bool GateControl::fires(const Trigger& trigger, const GateState& gate, const FillingState& state) const {
+const Trigger* GateControl::next_trigger(std::size_t gate, const FillingState& state) const {
+  const auto moves = static_cast<std::size_t>(state.gates[gate].moves);
+  const std::vector<OpenInterval>& intervals = params_->gates[gate].intervals;
+  if (moves / 2 >= intervals.size()) return nullptr;
+  return moves % 2 == 0 ? &intervals[moves / 2].opens : &intervals[moves / 2].closes;
+}
+
+double GateControl::arrival(const Trigger& trigger, std::size_t gate, const FillingState& state) const {
+  if (trigger.sensor == own_gate) return state.gates[gate].arrival_time;
+  return state.sensor_arrivals[static_cast<std::size_t>(trigger.sensor)];
+}
+
+bool GateControl::fires(const Trigger& trigger, std::size_t gate, const FillingState& state) const {
   const double fraction = state.injected_volume / mesh_->total_volume();
   switch (trigger.kind) {
     case TriggerKind::start:
@@ -37,34 +43,38 @@ bool GateControl::fires(const Trigger& trigger, const GateState& gate, const Fil
       return fraction >= trigger.value - round_off;
     case TriggerKind::time:
       return state.time >= trigger.value * (1 - round_off);
-    case TriggerKind::arrival:
-      return state.time >=
-             (gate.arrival_time + trigger.value) * (1 - round_off);  // false before arrival (NaN)
+    case TriggerKind::arrival:  // false before arrival (NaN)
+      return state.time >= (arrival(trigger, gate, state) + trigger.value) * (1 - round_off);
     case TriggerKind::never:
       break;
   }
   return false;
 }
 
+void GateControl::note_arrivals(FillingState& state) const {
+  const auto full = [&](Index node) { return state.filled[node] >= 1; };
+  for (std::size_t g = 0; g < nodes_.size(); ++g)
+    if (std::isnan(state.gates[g].arrival_time) && std::all_of(nodes_[g].begin(), nodes_[g].end(), full))
+      state.gates[g].arrival_time = state.time;
+  for (std::size_t s = 0; s < sensors_.size(); ++s)
+    if (std::isnan(state.sensor_arrivals[s]) && full(sensors_[s])) state.sensor_arrivals[s] = state.time;
+}
+
 bool GateControl::update(FillingState& state) const {
   bool changed = false;
   const double fraction = state.injected_volume / mesh_->total_volume();
+  note_arrivals(state);
   for (std::size_t g = 0; g < nodes_.size(); ++g) {
     GateState& gate = state.gates[g];
-    const auto full = [&](Index node) { return state.filled[node] >= 1; };
-    if (std::isnan(gate.arrival_time) && std::all_of(sensors_[g].begin(), sensors_[g].end(), full))
-      gate.arrival_time = state.time;
-    const auto enter = [&](GatePhase phase, FillingEventKind kind) {
-      gate.phase = phase;
-      state.events.push_back({state.time, fraction, kind, static_cast<int>(g)});
+    for (const Trigger* next = next_trigger(g, state); next != nullptr && fires(*next, g, state);
+         next = next_trigger(g, state)) {
+      ++gate.moves;
+      state.events.push_back({state.time, fraction,
+                              gate.is_open() ? FillingEventKind::gate_opened : FillingEventKind::gate_closed,
+                              static_cast<int>(g)});
       changed = true;
-    };
-    if (gate.phase == GatePhase::closed_yet && fires(params_->gates[g].opens, gate, state))
-      enter(GatePhase::open, FillingEventKind::gate_opened);
-    if (gate.phase == GatePhase::open && fires(params_->gates[g].closes, gate, state)) {
-      enter(GatePhase::closed_again, FillingEventKind::gate_closed);
-      gate.rate = 0;
     }
+    if (!gate.is_open()) gate.rate = 0;
   }
   return changed;
 }
@@ -73,7 +83,7 @@ std::vector<GateLink> GateControl::links(const FillingState& state, std::vector<
   std::vector<GateLink> links;
   open.clear();
   for (std::size_t g = 0; g < nodes_.size(); ++g) {
-    if (state.gates[g].phase != GatePhase::open) continue;
+    if (!state.gates[g].is_open()) continue;
     open.push_back(g);
     links.push_back({nodes_[g], params_->gates[g].resistance});
   }
@@ -83,23 +93,25 @@ std::vector<GateLink> GateControl::links(const FillingState& state, std::vector<
 double GateControl::next_fraction(const FillingState& state) const {
   const double fraction = state.injected_volume / mesh_->total_volume();
   double next = std::numeric_limits<double>::infinity();
-  for (const Gate& gate : params_->gates)
-    for (const Trigger* trigger : {&gate.opens, &gate.closes})
-      if (trigger->kind == TriggerKind::filled_fraction && trigger->value > fraction + round_off)
-        next = std::min(next, trigger->value);
+  for (std::size_t g = 0; g < nodes_.size(); ++g) {
+    const Trigger* trigger = next_trigger(g, state);
+    if (trigger != nullptr && trigger->kind == TriggerKind::filled_fraction &&
+        trigger->value > fraction + round_off)
+      next = std::min(next, trigger->value);
+  }
   return next;
 }
 
 double GateControl::next_time(const FillingState& state) const {
   double next = std::numeric_limits<double>::infinity();
-  for (std::size_t g = 0; g < nodes_.size(); ++g)
-    for (const Trigger* trigger : {&params_->gates[g].opens, &params_->gates[g].closes}) {
-      double due = std::numeric_limits<double>::infinity();
-      if (trigger->kind == TriggerKind::time) due = trigger->value;
-      const double arrival = state.gates[g].arrival_time;
-      if (trigger->kind == TriggerKind::arrival && !std::isnan(arrival)) due = arrival + trigger->value;
-      if (due > state.time * (1 + round_off)) next = std::min(next, due);
-    }
+  for (std::size_t g = 0; g < nodes_.size(); ++g) {
+    const Trigger* trigger = next_trigger(g, state);
+    if (trigger == nullptr) continue;
+    double due = std::numeric_limits<double>::infinity();
+    if (trigger->kind == TriggerKind::time) due = trigger->value;
+    if (trigger->kind == TriggerKind::arrival) due = arrival(*trigger, g, state) + trigger->value;
+    if (due > state.time * (1 + round_off)) next = std::min(next, due);  // false before arrival (NaN)
+  }
   return next;
 }
 

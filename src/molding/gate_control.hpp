@@ -20,17 +20,21 @@ class GateControl {
   bool update(FillingState& state) const;
   /// Links the open gates to the network; `open` receives their numbers.
   [[nodiscard]] std::vector<GateLink> links(const FillingState& state, std::vector<std::size_t>& open) const;
-  /// Tells the least filled fraction and time, above the present, at which a gate's trigger fires.
+  /// Tells the least filled fraction and time, above the present, at which a gate moves; infinity when none
+  /// is known.
   [[nodiscard]] double next_fraction(const FillingState& state) const;
   [[nodiscard]] double next_time(const FillingState& state) const;
 
  private:
-  [[nodiscard]] bool fires(const Trigger& trigger, const GateState& gate, const FillingState& state) const;
+  void note_arrivals(FillingState& state) const;
+  [[nodiscard]] const Trigger* next_trigger(std::size_t gate, const FillingState& state) const;
+  [[nodiscard]] double arrival(const Trigger& trigger, std::size_t gate, const FillingState& state) const;
+  [[nodiscard]] bool fires(const Trigger& trigger, std::size_t gate, const FillingState& state) const;
 
   const ShellMesh* mesh_;
   const FillingParams* params_;
   std::vector<std::vector<Index>> nodes_;
-  std::vector<std::vector<Index>> sensors_;  ///< by gate: nodes whose filling is the front's arrival
+  std::vector<Index> sensors_;  ///< by sensor: its node
 };
 
 }  // namespace fiberfate

@@ -5,12 +5,22 @@
 #include <array>
 #include <cmath>
 
+#include "continuum/length_classes.hpp"
 #include "molding/sweep.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t most_layers = 32;
+/// Share of all fibers that a class has at least where a gate lacks it, so that its length stays defined.
+constexpr double least_amount = 1e-12;
+
+/// Tells whether some gate has numbers of its own.
+bool numbers_differ(const MoldingFibers& fibers) {
+  return !fibers.inlet.numbers.empty() ||
+         std::any_of(fibers.gate_inlets.begin(), fibers.gate_inlets.end(),
+                     [](const auto& inlet) { return inlet && !inlet->numbers.empty(); });
+}
 
 }  // namespace
 
@@ -19,6 +29,7 @@ struct LengthTransport::NodeScratch {
   std::array<double, most_layers> rate, viscosity, duration;
   std::vector<double> survival;  ///< [set][layer]: exp(-k_f tau) - 1
   std::vector<double> limit;     ///< [set][layer]: L_inf, m
+  std::vector<double> sum;       ///< of all fields of a point
 };
 
 LengthTransport::LengthTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers)
@@ -39,6 +50,7 @@ LengthTransport::LengthTransport(const ShellMesh& mesh, const FillingParams& par
     field_begin_.push_back(field_begin_.back() +
                            (constants ? fibers.phelps_bins : fibers.class_lengths.size()));
   }
+  if (!fibers.length_sets.empty() && numbers_differ(fibers)) amount_count_ = fibers.class_lengths.size();
   for (std::size_t g = 0; g < params.gates.size(); ++g) {
     const bool own = g < fibers.gate_inlets.size() && fibers.gate_inlets[g];
     inlets_.emplace_back(field_count());
@@ -47,12 +59,50 @@ LengthTransport::LengthTransport(const ShellMesh& mesh, const FillingParams& par
 }
 
 void LengthTransport::write_inlet(const InletFibers& inlet, std::span<double> fields) const {
-  const std::vector<double>& lengths = inlet.lengths.empty() ? params_->fibers.class_lengths : inlet.lengths;
+  const MoldingFibers& fibers = params_->fibers;
+  const std::vector<double>& lengths = inlet.lengths.empty() ? fibers.class_lengths : inlet.lengths;
+  LengthClasses classes = {lengths, inlet.numbers.empty() ? fibers.class_numbers : inlet.numbers};
+  if (!classes.numbers.empty()) {
+    const double scale = total_length({fibers.class_lengths, fibers.class_numbers}) / total_length(classes);
+    for (double& number : classes.numbers) number *= scale;
+  }
   for (std::size_t s = 0; s < phelps_.size(); ++s) {
-    const std::vector<double> values =
-        phelps_[s] ? sort_into_bins({lengths, params_->fibers.class_numbers}, phelps_[s]->bins()) : lengths;
+    const std::vector<double> values = phelps_[s] ? sort_into_bins(classes, phelps_[s]->bins()) : lengths;
     std::copy(values.begin(), values.end(), fields.begin() + static_cast<std::ptrdiff_t>(field_begin_[s]));
   }
+  const auto amounts = fields.subspan(field_begin_.back());
+  double sum = 0;
+  for (std::size_t c = 0; c < amounts.size(); ++c) {
+    amounts[c] = classes.numbers[c] * (fibers.class_weight == ClassWeight::length ? lengths[c] : 1);
+    sum += amounts[c];
+  }
+  for (double& amount : amounts) amount = std::max(amount, least_amount * sum);
+}
+
+/// Adds to `sum` what a volume of melt with the fields `from` brings.
+void LengthTransport::take(const double* from, double volume, double* sum) const {
+  if (amount_count_ == 0) {
+    for (std::size_t f = 0; f < field_count(); ++f) sum[f] += volume * from[f];
+    return;
+  }
+  const double* const amounts = from + field_begin_.back();
+  for (std::size_t s = 0; s < phelps_.size(); ++s)
+    for (std::size_t f = field_begin_[s], c = 0; f < field_begin_[s + 1]; ++f, ++c)
+      sum[f] += volume * (phelps_[s] ? 1 : amounts[c]) * from[f];
+  for (std::size_t f = field_begin_.back(); f < field_count(); ++f) sum[f] += volume * from[f];
+}
+
+/// Makes of such a sum the mean of all that came together.
+void LengthTransport::divide(double volume, double* sum) const {
+  if (amount_count_ == 0) {
+    for (std::size_t f = 0; f < field_count(); ++f) sum[f] /= volume;
+    return;
+  }
+  const double* const amounts = sum + field_begin_.back();
+  for (std::size_t s = 0; s < phelps_.size(); ++s)
+    for (std::size_t f = field_begin_[s], c = 0; f < field_begin_[s + 1]; ++f, ++c)
+      sum[f] /= phelps_[s] ? volume : amounts[c];
+  for (std::size_t f = field_begin_.back(); f < field_count(); ++f) sum[f] /= volume;
 }
 
 void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, const FlowField& field,
@@ -82,30 +132,29 @@ void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, cons
 }
 
 void LengthTransport::mix(std::size_t node, std::size_t layer, const StepFlow& step, const FlowField& field,
-                          FillingState& state) const {
+                          std::span<double> sum, FillingState& state) const {
   const std::size_t count = layers_->count(), fields = field_count(), point = node * count + layer;
   double* const value = &state.lengths[point * fields];
   const double content = step.content[node] * layers_->widths()[layer];
   const double total = content + step.layer_inflow[point];
   if (!(total > 0)) return;
-  for (std::size_t f = 0; f < fields; ++f) value[f] *= content;
-  const auto take = [&](const double* from, double volume) {
-    for (std::size_t f = 0; f < fields; ++f) value[f] += volume * from[f];
-  };
+  std::fill(sum.begin(), sum.end(), 0.0);
+  take(value, content, sum.data());
   for (const ShellNeighbour& from : mesh_->neighbours(node)) {
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
     const auto there = static_cast<std::size_t>(from.node);
     take(&state.lengths[(there * count + layer) * fields],
-         volume * layer_share(field, step, count, there, node, layer));
+         volume * layer_share(field, step, count, there, node, layer), sum.data());
   }
   const double gate = step.gate_volume[node];
   if (gate > 0)
     take(inlets_[step.gate[node]].data(),
-         gate * (step.at_front[node] != 0 ? layers_->widths()[layer] : field.shares[point]));
+         gate * (step.at_front[node] != 0 ? layers_->widths()[layer] : field.shares[point]), sum.data());
   for (const LayerTransfer& t : step.transfers_of(node, count))
-    if (t.to == layer) take(&state.lengths[(node * count + t.from) * fields], t.volume);
-  for (std::size_t f = 0; f < fields; ++f) value[f] /= total;
+    if (t.to == layer) take(&state.lengths[(node * count + t.from) * fields], t.volume, sum.data());
+  divide(total, sum.data());
+  std::copy(sum.begin(), sum.end(), value);
 }
 
 void LengthTransport::decay(std::size_t node, std::size_t layer, FillingState& state,
@@ -143,7 +192,7 @@ void LengthTransport::advance_node(std::size_t node, const StepFlow& step, const
         return t.to != k || (done >> t.from & 1U) != 0;
       });
       if (!ready) continue;
-      mix(node, k, step, field, state);
+      mix(node, k, step, field, scratch.sum, state);
       decay(node, k, state, scratch);
       waiting &= ~(1U << k);
       done |= 1U << k;
@@ -158,6 +207,7 @@ void LengthTransport::advance(const StepFlow& step, const FlowField& field,
     NodeScratch scratch;
     scratch.survival.resize(phelps_.size() * layers_->count());
     scratch.limit.resize(phelps_.size() * layers_->count());
+    scratch.sum.resize(field_count());
     for (const Index node : nodes)
       advance_node(static_cast<std::size_t>(node), step, field, stretching, state, scratch);
   });

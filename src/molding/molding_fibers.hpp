@@ -24,6 +24,9 @@ struct InletFibers {
   Mat3 orientation = Mat3::Identity() / 3;  ///< A2
   InletAxes axes = InletAxes::part;
   std::vector<double> lengths = {};  ///< of each class, m; empty takes MoldingFibers::class_lengths
+  /// Fibers in each class, or proportional; empty takes MoldingFibers::class_numbers. The volume fraction is
+  /// the same at all gates: numbers are scaled to the fiber length of MoldingFibers.
+  std::vector<double> numbers = {};
 };
 
 /// Names one length law with its constants: a "set" of a sweep.
@@ -51,8 +54,9 @@ struct MoldingFibers {
   std::vector<LengthSet> length_sets = {};
   std::vector<double> class_lengths = {};  ///< m; one a class
   std::vector<double> class_numbers = {};  ///< fibers in each class, or proportional; for Phelps' sets
-  std::size_t phelps_bins = 40;            ///< length bins of sets whose law is Phelps'
-  InletFibers inlet = {};                  ///< of gates that have none of their own
+  ClassWeight class_weight = ClassWeight::length;  ///< what a class keeps; where gates have own numbers
+  std::size_t phelps_bins = 40;                    ///< length bins of sets whose law is Phelps'
+  InletFibers inlet = {};                          ///< of gates that have none of their own
   std::vector<std::optional<InletFibers>> gate_inlets = {};  ///< by gate; may be empty
   std::optional<FiberCoupling> coupling = {};
 };

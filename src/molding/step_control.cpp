@@ -37,6 +37,29 @@ double total_excess(const FillingState& state) {
   return sum;
 }
 
+/// Makes a field in which nothing flows between nodes.
+void still_field(const ShellMesh& mesh, const FillingState& state, FlowField& field) {
+  const std::size_t n = mesh.node_count(), points = state.rate.size();
+  field.shares.resize(points, 0);
+  field.inverse_viscosity.resize(points, 0);
+  field.fluidity.resize(n, 0);
+  field.pressure.resize(n, 0);
+  field.gradient.resize(n, Vec2::Zero());
+  field.front_factor.resize(n, 2);
+  field.edge_flux.assign(mesh.edges().size(), 0);
+  field.wet.resize(n, 0);
+}
+
+/// Makes a step that leaves every node what it holds.
+void still_contents(const ShellMesh& mesh, const FillingState& state, StepFlow& step) {
+  step.content.resize(mesh.node_count());
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
+    step.at_front[i] = state.filled[i] < 1 ? 1 : 0;
+  }
+  step.new_content = step.content;
+}
+
 /// Tells how long a step of at most `volume` at `rate` is: at most the aimed one, and not past an event.
 double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
                      const FillingState& state, double volume, double rate) {
@@ -103,24 +126,11 @@ bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateC
   for (const std::size_t g : open)
     for (const Index node : gates.nodes(g)) missing += mesh.volume(node) * (1 - state.filled[node]);
   if (!(missing > 0)) return false;
-  const std::size_t n = mesh.node_count(), points = state.rate.size();
-  field.shares.resize(points, 0);
-  field.inverse_viscosity.resize(points, 0);
-  field.fluidity.resize(n, 0);
-  field.pressure.resize(n, 0);
-  field.gradient.resize(n, Vec2::Zero());
-  field.front_factor.resize(n, 2);
-  field.edge_flux.assign(mesh.edges().size(), 0);
-  field.wet.resize(n, 0);
+  still_field(mesh, state, field);
   state.flow_rate = field.rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   step.duration = cut_at_events(params, mesh, gates, state, missing, state.flow_rate);
   const double share = std::min(1.0, step.duration * state.flow_rate / missing);
-  step.content.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
-    step.at_front[i] = state.filled[i] < 1 ? 1 : 0;
-  }
-  step.new_content = step.content;
+  still_contents(mesh, state, step);
   for (const std::size_t g : open)
     for (const Index node : gates.nodes(g)) {
       if (state.filled[node] >= 1) continue;
@@ -132,6 +142,21 @@ bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateC
         state.fill_time[node] = state.time + step.duration * (0.5 - before) / (state.filled[node] - before);
     }
   return true;
+}
+
+void stand_still(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                 FillingState& state, StepFlow& step, FlowField& field) {
+  still_field(mesh, state, field);
+  still_contents(mesh, state, step);
+  std::fill(field.gradient.begin(), field.gradient.end(), Vec2::Zero());
+  std::fill(state.rate.begin(), state.rate.end(), 0.0);
+  std::fill(state.pressure.begin(), state.pressure.end(), 0.0);
+  field.limited = false;
+  state.flow_rate = field.rate = 0;
+  state.sprue_pressure = field.sprue_pressure = 0;
+  const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
+  step.duration = cut_at_events(params, mesh, gates, state, 0, 0);
+  step.duration = std::min(step.duration, mesh.total_volume() / params.numerics.steps / set_rate);
 }
 
 double step_duration(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,

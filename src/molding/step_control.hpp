@@ -26,6 +26,11 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
                                const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
                                FlowField& field);
 
+/// Lets the melt stand while all gates are closed, until one opens or for as long as a step is meant to take:
+/// writes such a step. Heat goes on into the mold.
+void stand_still(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                 FillingState& state, StepFlow& step, FlowField& field);
+
 /// Tells how long the step is: the aimed volume, at most the control volumes at the front, and not past the
 /// next event.
 [[nodiscard]] double step_duration(const FillingParams& params, const ShellMesh& mesh,

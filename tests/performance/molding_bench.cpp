@@ -88,7 +88,7 @@ void nine_gate_shell(benchmark::State& state) {
     const double u = 0.2 + 0.3 * (g % 3), v = 0.2 + 0.3 * (g / 3);
     gate.position = {length * u, width * v, rise * u * (1 - u) * v * (1 - v) * 16};
     gate.radius = 4e-3;
-    if (g != 4) gate.opens = {TriggerKind::filled_fraction, 0.05 + 0.03 * g, {}};
+    if (g != 4) gate.intervals[0].opens = {TriggerKind::filled_fraction, 0.05 + 0.03 * g};
     params.gates.push_back(gate);
   }
   params.process.flow = FlowProfile::constant(616.7e-6);

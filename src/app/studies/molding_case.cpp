@@ -91,6 +91,9 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
 std::string key_of(const std::string& fault) {
   if (fault.starts_with("gates.") || fault.starts_with("part.") || fault.starts_with("material."))
     return fault;
+  if (fault.starts_with("sensor ")) return "gates.sensors";
+  if (fault.starts_with("gate ") && fault.ends_with(".events")) return "gates.valves";
+  if (fault.starts_with("gate ") && fault.ends_with(".resistance")) return "gates.resistance";
   if (fault.starts_with("gate") || fault == "fibers.gate_inlets") return "gates.places";
   if (fault == "process.flow") return "machine.flow_rate";
   if (fault == "process.inlet_temperature") return "machine.melt_temperature";

@@ -18,27 +18,35 @@
 
 namespace fiberfate {
 
-/// Holds when a gate of [gates] opens and closes.
-struct ValveTimes {
-  std::string gate;
-  Trigger opens = {};
-  Trigger closes = {TriggerKind::never, 0, {}};
+/// Holds one event of a valve as it is written: a trigger and the name of its sensor.
+struct ValveEvent {
+  Trigger trigger = {};
+  std::string sensor;  ///< empty: the gate itself
 };
 
-/// Holds what comes in through one gate where that differs from [fibers].
-struct GateInlet {
+/// Holds when a gate of [gates] opens, closes, opens again, ...
+struct ValveTimes {
   std::string gate;
-  std::vector<double> numbers;  ///< principal values of A2, or the length of every class, m
+  std::vector<ValveEvent> events;
+};
+
+/// Holds numbers that belong to one gate.
+struct GateNumbers {
+  std::string gate;
+  std::vector<double> numbers;
 };
 
 /// Holds [gates].
 struct GateChoices {
   std::vector<NamedPlace> places;
-  double radius = 1e-3;   ///< m
-  double resistance = 0;  ///< of each gate's runner, Pa s/m³
+  double radius = 1e-3;                  ///< m
+  double resistance = 0;                 ///< of each gate's runner, Pa s/m³
+  std::vector<GateNumbers> resistances;  ///< of gates with a runner of their own, Pa s/m³
+  std::vector<NamedPlace> sensors;
   std::vector<ValveTimes> valves;
-  std::vector<GateInlet> orientations;  ///< three principal values along fibers.inlet_axes
-  std::vector<GateInlet> lengths;       ///< one length a class of [fibers]
+  std::vector<GateNumbers> orientations;  ///< three principal values along fibers.inlet_axes
+  std::vector<GateNumbers> lengths;       ///< one length a class of [fibers], m
+  std::vector<GateNumbers> numbers;       ///< of fibers, one a class of [fibers]
 };
 
 /// Holds [material]: what the heat equation needs.

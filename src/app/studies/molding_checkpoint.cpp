@@ -68,6 +68,7 @@ void visit_state(Visitor& visitor, FillingState& state) {
   visitor.number("heat_brought_in", state.heat.brought_in);
   visitor.number("heat_dissipated", state.heat.dissipated);
   visitor.number("heat_to_mold", state.heat.to_mold);
+  visitor.array("state/sensor_arrivals", state.sensor_arrivals);
   visitor.array("state/filled", state.filled);
   visitor.array("state/excess", state.excess);
   visitor.array("state/fill_time", state.fill_time);
@@ -95,7 +96,7 @@ void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
   std::vector<double> gates, events;
   for (const GateState& gate : state.gates)
     gates.insert(gates.end(),
-                 {static_cast<double>(gate.phase), gate.arrival_time, gate.pressure, gate.rate, gate.volume});
+                 {static_cast<double>(gate.moves), gate.arrival_time, gate.pressure, gate.rate, gate.volume});
   for (const FillingEvent& event : state.events)
     events.insert(events.end(), {event.time, event.filled_fraction, static_cast<double>(event.kind),
                                  static_cast<double>(event.gate)});
@@ -117,8 +118,8 @@ void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
 void read_structures(const Hdf5File& file, FillingState& state) {
   const auto gates = file.read<double>("state/gates"), events = file.read<double>("state/events");
   for (std::size_t i = 0; i < gates.size(); i += gate_numbers)
-    state.gates.push_back({static_cast<GatePhase>(static_cast<int>(gates[i])), gates[i + 1], gates[i + 2],
-                           gates[i + 3], gates[i + 4]});
+    state.gates.push_back(
+        {static_cast<int>(gates[i]), gates[i + 1], gates[i + 2], gates[i + 3], gates[i + 4]});
   for (std::size_t i = 0; i < events.size(); i += event_numbers)
     state.events.push_back({events[i], events[i + 1],
                             static_cast<FillingEventKind>(static_cast<int>(events[i + 2])),

@@ -32,11 +32,14 @@ LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::
     return population;
   }
   const MoldingFibers& fibers = setup_.params.fibers;
+  const std::span<const double> amounts = filling_.amounts(node, layer);
   population.lengths.assign(fields.begin(), fields.end());
   for (std::size_t c = 0; c < fields.size(); ++c) {
-    const double growth =
-        values_.fibers.weight == ClassWeight::length ? fibers.class_lengths[c] / fields[c] : 1;
-    population.numbers.push_back(fibers.class_numbers[c] * growth);
+    const bool keeps_length = fibers.class_weight == ClassWeight::length;
+    const double amount = !amounts.empty() ? amounts[c]
+                          : keeps_length   ? fibers.class_numbers[c] * fibers.class_lengths[c]
+                                           : fibers.class_numbers[c];
+    population.numbers.push_back(keeps_length ? amount / fields[c] : amount);
   }
   return population;
 }

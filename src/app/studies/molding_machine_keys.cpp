@@ -1,65 +1,8 @@
-// Describes the keys of the study molding that are about gates, material and machine.
-#include <fmt/format.h>
-
-#include <sstream>
-
+// Describes the keys of the study molding that are about material and machine.
 #include "app/studies/molding_case.hpp"
-#include "base/units.hpp"
 
 namespace fiberfate {
 namespace {
-
-/// Reads "start", "never", "filled 0.49", "time 2 s", "arrival" or "arrival 0.1 s".
-Reading<Trigger> read_trigger(const std::string& text) {
-  std::istringstream words(text);
-  std::string kind, amount;
-  words >> kind;
-  std::getline(words >> std::ws, amount);
-  const auto number = [&amount](const char* unit) {
-    return amount.empty() ? 0.0 : quantity_in_si(amount, unit);
-  };
-  try {
-    if (kind == "start" && amount.empty()) return Trigger{};
-    if (kind == "never" && amount.empty()) return Trigger{TriggerKind::never, 0, {}};
-    if (kind == "filled" && !amount.empty()) return Trigger{TriggerKind::filled_fraction, number("1"), {}};
-    if (kind == "time" && !amount.empty()) return Trigger{TriggerKind::time, number("s"), {}};
-    if (kind == "arrival") return Trigger{TriggerKind::arrival, number("s"), {}};
-  } catch (const std::invalid_argument& reason) {
-    return Complaint{fmt::format("\"{}\": {}", text, reason.what()), ""};
-  }
-  return Complaint{fmt::format("\"{}\" is no event", text),
-                   "give start, never, \"filled 0.49\", \"time 2 s\", or arrival with or without a delay"};
-}
-
-std::string write_trigger(const Trigger& trigger) {
-  switch (trigger.kind) {
-    case TriggerKind::start:
-      return "start";
-    case TriggerKind::never:
-      return "never";
-    case TriggerKind::filled_fraction:
-      return "filled " + write_number(trigger.value);
-    case TriggerKind::time:
-      return "time " + write_number(trigger.value) + " s";
-    case TriggerKind::arrival:
-      break;
-  }
-  return "arrival " + write_number(trigger.value) + " s";
-}
-
-std::optional<Complaint> append_valve(const std::vector<TomlValue>& row, std::vector<ValveTimes>& valves) {
-  const RowTexts texts(row);
-  if (texts.count() < 2 || texts.count() > 3) return Complaint{"not a gate with one or two events", ""};
-  ValveTimes valve;
-  valve.gate = texts.text(0);
-  for (std::size_t i = 1; i < texts.count(); ++i) {
-    const Reading<Trigger> reading = read_trigger(texts.text(i));
-    if (const auto* complaint = std::get_if<Complaint>(&reading)) return *complaint;
-    (i == 1 ? valve.opens : valve.closes) = std::get<Trigger>(reading);
-  }
-  valves.push_back(valve);
-  return std::nullopt;
-}
 
 void describe_profiles(KeyTable& table, MachineChoices& machine) {
   const Column time = {"time", {"s", "s"}, Range::not_negative()};
@@ -87,77 +30,7 @@ void describe_profiles(KeyTable& table, MachineChoices& machine) {
                {.text = "What happens between the rows of a profile; the last one holds to the end."});
 }
 
-/// Adds a key of rows [gate, number, …].
-void describe_inlets(KeyTable& table, const std::string& key, std::vector<GateInlet>& inlets,
-                     const Units& units, const Range& range, KeyNotes notes) {
-  const auto append = [&inlets, units, range](const std::vector<TomlValue>& row) -> std::optional<Complaint> {
-    if (row.size() < 2) return Complaint{"not a gate with numbers", ""};
-    GateInlet inlet = {RowTexts(row).text(0), {}};
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      const Reading<double> reading = read_quantity(row[i], units, range);
-      if (const auto* complaint = std::get_if<Complaint>(&reading)) return *complaint;
-      inlet.numbers.push_back(std::get<double>(reading));
-    }
-    inlets.push_back(std::move(inlet));
-    return std::nullopt;
-  };
-  const auto write = [&inlets, units](NumberStyle style) {
-    std::vector<std::string> rows;
-    for (const GateInlet& inlet : inlets) {
-      std::vector<std::string> items = {write_text(inlet.gate)};
-      for (const double number : inlet.numbers) items.push_back(write_quantity(number, units, style));
-      rows.push_back(write_list(items));
-    }
-    return rows;
-  };
-  describe_text_rows(table, key, std::move(notes), {append, [&inlets] { inlets.clear(); }, write});
-}
-
 }  // namespace
-
-void describe_gates(KeyTable& table, GateChoices& gates) {
-  table.section("gates",
-                "Where melt enters, besides the gates that belong to the part, and when valves move.");
-  describe_places(
-      table, "gates.places", gates.places, PlaceLines::allowed,
-      {.text = "Rows [name, x, y] in the flat part or [name, x, y, z] in space; an edge gate has two ends.",
-       .example = R"([["G1", "0 mm", "51 mm"]])"});
-  table.quantity(
-      "gates.radius", gates.radius,
-      {.text = "Radius of these gates.", .unit = "m", .friendly = "mm", .range = Range::positive(1)});
-  table.quantity("gates.resistance", gates.resistance,
-                 {.text = "Resistance R of the runner from the sprue to each gate: p_sprue - p_gate = R Q.",
-                  .unit = "Pa s/m^3",
-                  .range = Range::between(0, 1e15)});
-  describe_text_rows(
-      table, "gates.valves",
-      {.text =
-           "Rows [gate, opens, closes] with the events \"start\", \"never\", \"filled 0.49\" (share of the "
-           "cavity), \"time 2 s\", \"arrival\" or \"arrival 0.1 s\" (after the front has reached the gate). "
-           "Other "
-           "gates are open from the start.",
-       .example = R"([["G1", "filled 0.49", "filled 0.69"]])",
-       .source = "thesis table 14"},
-      {[&gates](const std::vector<TomlValue>& row) { return append_valve(row, gates.valves); },
-       [&gates] { gates.valves.clear(); },
-       [&gates](NumberStyle) {
-         std::vector<std::string> rows;
-         for (const ValveTimes& valve : gates.valves)
-           rows.push_back(write_list({write_text(valve.gate), write_text(write_trigger(valve.opens)),
-                                      write_text(write_trigger(valve.closes))}));
-         return rows;
-       }});
-  describe_inlets(
-      table, "gates.inlet_orientations", gates.orientations, {"1", "1"}, Range::between(0, 1),
-      {.text = "Rows [gate, A11, A22, A33] of gates whose fibers come in with another orientation than "
-               "fibers.inlet_orientation, in the same axes.",
-       .example = R"([["G1", 0.8, 0.15, 0.05]])"});
-  describe_inlets(
-      table, "gates.inlet_lengths", gates.lengths, {"m", "mm"}, Range::positive(1),
-      {.text = "Rows [gate, length, ...] of gates whose fibers come in with other lengths than those of "
-               "[fibers]: one length, L_N and L_W, or one a class of the distribution.",
-       .example = R"([["G1", "1.5 mm"]])"});
-}
 
 void describe_material(KeyTable& table, MaterialChoices& material) {
   table.section("material", "The melt with its fibers; the viscosity is in [melt].");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "app/studies/molding_sweep.hpp"
@@ -217,6 +218,22 @@ std::int64_t count_marks(const FillingState& state, NodeMark mark) {
   return std::count(state.mark.begin(), state.mark.end(), mark);
 }
 
+/// Tells when what happened; what happens again gets a number: G1_gate_opened_2_s.
+void add_events(const Filling& filling, RunSummary& summary) {
+  const FillingParams& params = filling.params();
+  std::map<std::string, int> counts;
+  for (const FillingEvent& event : filling.state().events) {
+    std::string key = name(event.kind);
+    if (event.gate >= 0) key = key_of(params.gates[static_cast<std::size_t>(event.gate)].name) + '_' + key;
+    const int count = ++counts[key];
+    if (count > 1) key += fmt::format("_{}", count);
+    summary.own.emplace_back(key + "_s", event.time);
+  }
+  for (std::size_t i = 0; i < params.sensors.size(); ++i)
+    summary.own.emplace_back(key_of(params.sensors[i].name) + "_arrival_s",
+                             filling.state().sensor_arrivals[i]);
+}
+
 void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSummary& summary) {
   const Filling& filling = fields.filling();
   const FillingState& state = filling.state();
@@ -237,12 +254,7 @@ void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSu
   own.emplace_back("heat_error", (supplied - state.heat.to_mold - filling.stored_heat()) / supplied);
   own.emplace_back("weld_line_nodes", count_marks(state, NodeMark::weld_line));
   own.emplace_back("air_traps", count_marks(state, NodeMark::air_trap));
-  for (const FillingEvent& event : state.events) {
-    std::string key = std::string(name(event.kind)) + "_s";
-    if (event.gate >= 0)
-      key = key_of(filling.params().gates[static_cast<std::size_t>(event.gate)].name) + '_' + key;
-    own.emplace_back(key, event.time);
-  }
+  add_events(filling, summary);
   for (std::size_t phase = 0; phase < filling_phase_count; ++phase)
     own.emplace_back(std::string("filling_") + filling_phase_names[phase] + "_s",
                      filling.seconds(static_cast<FillingPhase>(phase)));

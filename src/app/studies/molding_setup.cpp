@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studies/molding_gates.hpp"
 #include "base/error.hpp"
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_registry.hpp"
@@ -64,58 +65,6 @@ MoldingProcess process_of(const MachineChoices& machine, double volume) {
   return process;
 }
 
-/// Finds a gate by name; raises InputError with the key that names it.
-std::size_t gate_named(const std::vector<Gate>& gates, const std::string& wanted, const char* key) {
-  for (std::size_t i = 0; i < gates.size(); ++i)
-    if (gates[i].name == wanted) return i;
-  throw InputError({{"", 0, 0, key, "", fmt::format("there is no gate \"{}\"", wanted),
-                     "name a gate of [gates] places or of the part; a part's only gate is called \"gate\""}});
-}
-
-std::vector<Gate> gates_of(const GateChoices& choices, const MoldingPart& part) {
-  std::vector<Gate> gates = part.gates;
-  for (const NamedPlace& place : choices.places) {
-    Gate gate;
-    gate.name = place.name;
-    const auto half = static_cast<std::ptrdiff_t>(place.numbers.size() / 2);
-    const bool line = place.numbers.size() > 3;
-    const auto begin = place.numbers.begin(), middle = line ? begin + half : place.numbers.end();
-    gate.position = position_of({place.name, {begin, middle}}, part);
-    if (line) gate.end = position_of({place.name, {middle, place.numbers.end()}}, part);
-    gate.radius = choices.radius;
-    gates.push_back(std::move(gate));
-  }
-  for (Gate& gate : gates) gate.resistance = choices.resistance;
-  for (const ValveTimes& valve : choices.valves) {
-    Gate& gate = gates[gate_named(gates, valve.gate, "gates.valves")];
-    gate.opens = valve.opens;
-    gate.closes = valve.closes;
-  }
-  return gates;
-}
-
-/// Gives gates that have one an inlet of their own, beginning with that of all.
-void add_gate_inlets(const GateChoices& choices, FillingParams& params) {
-  MoldingFibers& fibers = params.fibers;
-  if (choices.orientations.empty() && choices.lengths.empty()) return;
-  fibers.gate_inlets.assign(params.gates.size(), std::nullopt);
-  const auto inlet_of = [&](const std::string& gate, const char* key) -> InletFibers& {
-    std::optional<InletFibers>& inlet = fibers.gate_inlets[gate_named(params.gates, gate, key)];
-    if (!inlet) inlet = fibers.inlet;
-    return *inlet;
-  };
-  for (const GateInlet& one : choices.orientations) {
-    if (one.numbers.size() != 3)
-      throw InputError({{"", 0, 0, "gates.inlet_orientations", "",
-                         fmt::format("gate \"{}\" has {} numbers", one.gate, one.numbers.size()),
-                         "give A11, A22 and A33"}});
-    inlet_of(one.gate, "gates.inlet_orientations").orientation =
-        Vec3(one.numbers[0], one.numbers[1], one.numbers[2]).asDiagonal();
-  }
-  for (const GateInlet& one : choices.lengths)
-    inlet_of(one.gate, "gates.inlet_lengths").lengths = one.numbers;
-}
-
 MoldingMaterial material_of(const MoldingCase& values) {
   MoldingMaterial material;
   material.viscosity = make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt));
@@ -156,6 +105,7 @@ void add_length_sets(const MoldingCase& values, MoldingSetup& setup) {
 
 void add_classes(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   MoldingFibers& fibers = setup.params.fibers;
+  fibers.class_weight = choices.weight;
   if (choices.number_average && choices.weight_average) {
     fibers.class_lengths = {*choices.number_average, *choices.weight_average};
     setup.reading = LengthReading::means;
@@ -186,13 +136,14 @@ MoldingSetup setup_of(const MoldingCase& values, MoldingPart part) {
   FillingParams& params = setup.params;
   params.material = material_of(values);
   params.process = process_of(values.machine, volume_of(setup.part.shell));
+  params.sensors = sensors_of(values.gates, setup.part);
   params.gates = gates_of(values.gates, setup.part);
   params.numerics = values.numerics;
   if (!values.orientation.name.empty()) params.fibers.orientation = orientation_of(values);
   params.fibers.inlet.orientation = values.fibers.inlet_orientation;
   params.fibers.inlet.axes = values.fibers.inlet_axes;
   add_classes(values.fibers, setup);
-  add_gate_inlets(values.gates, params);
+  add_gate_inlets(values.gates, setup);
   add_length_sets(values, setup);
   add_coupling(values.fibers, setup);
   return setup;

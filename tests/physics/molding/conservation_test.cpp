@@ -45,13 +45,13 @@ FillingParams thermal_params() {
   first.position = Vec3(0.02, 0.02, 0);
   second.position = Vec3(0.08, 0.04, 0);
   second.resistance = 1e10;
-  second.opens = {TriggerKind::filled_fraction, 0.3, {}};
+  second.intervals[0].opens = {TriggerKind::filled_fraction, 0.3};
   params.gates = {first, second};
   const double still[] = {0, 1};
   params.fibers.length_sets = {{"tracer", make_attrition_law("constant", still)}};
   params.fibers.class_lengths = {1e-3, 5e-3};
   params.fibers.gate_inlets = {InletFibers{},
-                               InletFibers{Mat3::Identity() / 3, InletAxes::part, {3e-3, 5e-3}}};
+                               InletFibers{Mat3::Identity() / 3, InletAxes::part, {3e-3, 5e-3}, {}}};
   return params;
 }
 

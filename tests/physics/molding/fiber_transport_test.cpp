@@ -107,6 +107,46 @@ TEST(LengthTransport, PhelpsKeepsTheFiberLength) {
   EXPECT_LT(shortest, 0.8 * 0.031 / 3);
 }
 
+/// Two gates bring in different distributions of the same fiber length: amounts of classes and bins ride on
+/// the melt, nothing is lost, and their sum is everywhere what comes in.
+TEST(LengthTransport, GatesBringInDistributionsOfTheirOwn) {
+  const Rectangle r{0.08, 0.01, 0.002, 20, 2};
+  FillingParams params = channel_params(r);
+  params.gates.push_back(film_gate({0.06, 0, 0}, {0.06, r.width, 0}));
+  params.gates[1].intervals[0].opens = {TriggerKind::filled_fraction, 0.3};
+  params.fibers.class_numbers = {1, 2};
+  params.fibers.gate_inlets = {std::nullopt, InletFibers{}};
+  params.fibers.gate_inlets[1]->numbers = {3, 1};
+  const double still[] = {0, 1}, phelps[] = {0.01, 3, 0.25, 73e9, 19e-6, 0};
+  params.fibers.length_sets = {{"still", make_attrition_law("constant", still)},
+                               {"phelps", make_attrition_law("phelps", phelps)}};
+  Filling filling{ShellMesh(rectangle(r)), params};
+  fill(filling);
+  const double first[] = {0.015, 2 * 0.008}, whole = first[0] + first[1];
+  const double scale = whole / (3 * 0.015 + 0.008), second[] = {scale * 3 * 0.015, scale * 0.008};
+  double held[2] = {0, 0}, mixed = 0;
+  for (std::size_t node = 0; node < filling.mesh().node_count(); ++node)
+    for (std::size_t k = 0; k < filling.layers().count(); ++k) {
+      const auto amounts = filling.amounts(node, k), lengths = filling.lengths(0, node, k);
+      const auto bins = filling.lengths(1, node, k);
+      double total = 0;
+      for (std::size_t b = 0; b < bins.size(); ++b) total += bins[b] * filling.bin_lengths(1)[b];
+      EXPECT_NEAR(total, whole, 1e-9);
+      EXPECT_NEAR(amounts[0] + amounts[1], whole, 1e-12);
+      EXPECT_NEAR(lengths[0], 0.015, 1e-14);
+      EXPECT_NEAR(lengths[1], 0.008, 1e-14);
+      const double volume = filling.mesh().volume(node) * filling.layers().widths()[k];
+      for (std::size_t c = 0; c < 2; ++c) held[c] += volume * amounts[c];
+      if (amounts[0] > 1.01 * first[0] && amounts[0] < 0.99 * second[0]) mixed += volume;
+    }
+  EXPECT_GT(mixed, 0);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const double brought =
+        first[c] * filling.state().gates[0].volume + second[c] * filling.state().gates[1].volume;
+    EXPECT_NEAR(held[c], brought, 1e-10 * brought);
+  }
+}
+
 OrientationModel model() {
   OrientationModel m = orientation_model_named("folgar_tucker", "ibof");
   m.constants.c_i = 0.02;
@@ -137,7 +177,7 @@ TEST(OrientationTransport, FrameOfThePartDoesNotMatter) {
   const Rectangle r{0.08, 0.01, 0.002, 20, 2};
   FillingParams params = channel_params(r);
   params.fibers.orientation = model();
-  params.fibers.inlet = {Vec3(0.6, 0.3, 0.1).asDiagonal(), InletAxes::flow, {}};
+  params.fibers.inlet = {Vec3(0.6, 0.3, 0.1).asDiagonal(), InletAxes::flow, {}, {}};
   Filling flat{ShellMesh(rectangle(r)), params};
   fill(flat);
   const Mat3 turn = Eigen::AngleAxisd(0.9, Vec3(2, -1, 1).normalized()).toRotationMatrix();

@@ -25,7 +25,7 @@ FillingParams full_params() {
   params.numerics.steps = 60;
   Gate second;
   second.position = Vec3(0.08, 0.02, 0);
-  second.opens = {TriggerKind::arrival, 0.01, {}};
+  second.intervals[0].opens = {TriggerKind::arrival, 0.01};
   params.gates = {{}, second};
   params.gates[0].position = Vec3(0.02, 0.02, 0);
   OrientationModel model = orientation_model_named("iard_rpr", "ibof");

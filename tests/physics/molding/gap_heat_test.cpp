@@ -40,8 +40,8 @@ TEST(GapHeat, MeltAtRestCoolsByConduction) {
   const Rectangle r{0.08, 0.01, 0.002, 20, 2};
   FillingParams params = heated(1e-4, 1e-3, r);  // 16 ms to fill: Fo = 1.6e-3 while it moves
   Gate far = film_gate({r.length, 0, 0}, {r.length, r.width, 0});
-  far.opens = {TriggerKind::filled_fraction, 0.99, {}};
-  params.gates[0].closes = {TriggerKind::filled_fraction, 0.99, {}};
+  far.intervals[0].opens = {TriggerKind::filled_fraction, 0.99};
+  params.gates[0].intervals[0].closes = {TriggerKind::filled_fraction, 0.99};
   params.gates.push_back(far);
   params.process.flow = {{{0, 1e-4}, {0.99, 1e-8}}, ProfileAgainst::filled_fraction, ProfileForm::steps};
   params.numerics.layers = 40;

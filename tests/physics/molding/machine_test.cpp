@@ -59,9 +59,9 @@ TEST(Gates, ValveGatesOpenAndCloseWhereTold) {
   const Rectangle r = coarse_strip();
   Gate first = film_gate({0, 0, 0}, {0, r.width, 0}), second = film_gate({0.04, 0, 0}, {0.04, r.width, 0});
   Gate third = film_gate({0.06, 0, 0}, {0.06, r.width, 0});
-  first.closes = {TriggerKind::filled_fraction, 0.7, {}};
-  second.opens = {TriggerKind::arrival, 0.01, {}};
-  third.opens = {TriggerKind::time, 0.9, {}};
+  first.intervals[0].closes = {TriggerKind::filled_fraction, 0.7};
+  second.intervals[0].opens = {TriggerKind::arrival, 0.01};
+  third.intervals[0].opens = {TriggerKind::time, 0.9};
   FillingParams params = strip_params(first);
   params.gates = {first, second, third};
   Filling filling{ShellMesh(rectangle(r)), params};
@@ -81,18 +81,64 @@ TEST(Gates, ValveGatesOpenAndCloseWhereTold) {
 TEST(Gates, PressureDropsWhereAValveGateOpens) {
   const Rectangle r = coarse_strip();
   Gate second = film_gate({0.04, 0, 0}, {0.04, r.width, 0});
-  second.opens = {TriggerKind::filled_fraction, 0.6, {}};
+  second.intervals[0].opens = {TriggerKind::filled_fraction, 0.6};
   FillingParams params = strip_params(film_gate({0, 0, 0}, {0, r.width, 0}));
   params.gates.push_back(second);
   Filling filling{ShellMesh(rectangle(r)), params};
   double before = 0;
-  while (filling.state().gates[1].phase != GatePhase::open) {
+  while (!filling.state().gates[1].is_open()) {
     before = filling.state().sprue_pressure;
     filling.advance();
   }
   // 12 eta Q x/(W H³) with x = 0.048 m from the first and 0.008 m from the second gate, which takes all flow
   // towards the front; the first one stands at the same pressure.
   EXPECT_NEAR(filling.state().sprue_pressure / before, 0.008 / 0.048, 0.02);
+}
+
+/// Gate A closes when the front is at a sensor and opens again by volume; B opens at the sensor and closes
+/// and opens again by time.
+TEST(Gates, ReopenAndWaitForSensors) {
+  const Rectangle r = coarse_strip();
+  Gate a = film_gate({0, 0, 0}, {0, r.width, 0}), b = film_gate({0.02, 0, 0}, {0.02, r.width, 0});
+  a.intervals = {{{TriggerKind::start}, {TriggerKind::arrival, 0.05, 0}},
+                 {{TriggerKind::filled_fraction, 0.6}}};
+  b.intervals = {{{TriggerKind::arrival, 0, 0}, {TriggerKind::time, 1.1}}, {{TriggerKind::time, 1.3}}};
+  FillingParams params = strip_params(a);
+  params.gates.push_back(b);
+  params.sensors = {{"S1", {0.03, 0.005, 0}}};
+  Filling filling{ShellMesh(rectangle(r)), params};
+  const FillingState& state = finish(filling).state();
+  EXPECT_EQ(state.stop_reason, FillingEnd::filled);
+  const double arrival = state.sensor_arrivals[0];
+  EXPECT_NEAR(arrival, (0.03 + 0.001) * r.width * r.thickness / rate, 0.01);
+  std::vector<double> moves[2];
+  for (const FillingEvent& event : state.events)
+    if (event.gate >= 0) moves[event.gate].push_back(event.time);
+  const double volume = r.length * r.width * r.thickness;
+  const std::vector<double> wanted[2] = {{0, arrival + 0.05, 0.6 * volume / rate}, {arrival, 1.1, 1.3}};
+  for (int gate = 0; gate < 2; ++gate) {
+    ASSERT_EQ(moves[gate].size(), wanted[gate].size());
+    for (std::size_t i = 0; i < wanted[gate].size(); ++i)
+      EXPECT_NEAR(moves[gate][i], wanted[gate][i], 1e-9) << gate << ' ' << i;
+  }
+  EXPECT_NEAR(state.injected_volume, state.gates[0].volume + state.gates[1].volume,
+              1e-12 * state.injected_volume);
+}
+
+/// While all gates are closed and one will open again, the melt stands and time goes on.
+TEST(Gates, MeltStandsUntilAGateOpensAgain) {
+  const Rectangle r = coarse_strip();
+  Gate gate = film_gate({0, 0, 0}, {0, r.width, 0});
+  gate.intervals = {{{TriggerKind::start}, {TriggerKind::time, 0.5}}, {{TriggerKind::time, 0.8}}};
+  Filling filling{ShellMesh(rectangle(r)), strip_params(gate)};
+  while (filling.state().time < 0.5 - 1e-9) filling.advance();
+  const double before = filling.state().injected_volume;
+  filling.advance();
+  EXPECT_EQ(filling.state().sprue_pressure, 0);
+  while (filling.state().time < 0.8 - 1e-9) filling.advance();
+  EXPECT_EQ(filling.state().injected_volume, before);
+  EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::filled);
+  EXPECT_NEAR(filling.state().time, 0.3 + r.length * r.width * r.thickness / rate, 0.01);
 }
 
 TEST(Machine, SwitchoverHoldsThePressureFromTheVolumeOn) {
@@ -145,11 +191,32 @@ TEST(Machine, ProfilesSetTheRateAgainstTimeAndVolume) {
 
 TEST(Machine, WithoutAnOpenGateTheShotIsShort) {
   Gate gate = film_gate({0, 0, 0}, {0, 0.01, 0});
-  gate.closes = {TriggerKind::filled_fraction, 0.4, {}};
+  gate.intervals[0].closes = {TriggerKind::filled_fraction, 0.4};
   Filling filling{ShellMesh(rectangle(coarse_strip())), strip_params(gate)};
   EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::short_shot);
   EXPECT_NEAR(filling.filled_fraction(), 0.4, 1e-10);
   EXPECT_EQ(filling.state().events.back().kind, FillingEventKind::ended);
+}
+
+/// The last pockets take more pressure than the machine holds when nodes around them pass on what they have
+/// too much; all the melt is in by then, and the cavity is full.
+TEST(Machine, MeltThatIsInFillsTheCavity) {
+  const Rectangle r{0.06, 0.06, 0.003, 12, 12};
+  Shell shell = rectangle(r);
+  for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
+    Vec3 centre = Vec3::Zero();
+    for (const Index node : shell.triangles[t]) centre += shell.nodes[node] / 3;
+    if ((centre - Vec3(0.03, 0.03, 0)).norm() < 0.012) shell.thickness[t] = 0.0004;
+  }
+  for (const double switchover : {0.5, 0.7, 0.9}) {
+    FillingParams params = strip_params(film_gate({0, 0, 0}, {0, r.width, 0}));
+    params.process.switchover_fraction = switchover;
+    params.numerics.steps = 60;
+    Filling filling{ShellMesh(shell), params};
+    EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::filled) << switchover;
+    EXPECT_NEAR(filling.filled_fraction(), 1, 1e-10);
+    EXPECT_NEAR(filling.state().injected_volume / filling.mesh().total_volume(), 1, 1e-10);
+  }
 }
 
 FillingParams cold_params(double flow) {
@@ -176,6 +243,24 @@ TEST(Machine, SlowFlowFreezesOffAndFastFlowFills) {
   EXPECT_LT(slow.state().time, 10);
   Filling fast{ShellMesh(rectangle(r)), cold_params(volume / 0.2)};
   EXPECT_EQ(finish(fast).state().stop_reason, FillingEnd::filled);
+}
+
+/// Melt that stands loses heat to the mold and gets none.
+TEST(Machine, StandingMeltCools) {
+  Rectangle r = coarse_strip();
+  FillingParams params = cold_params(r.length * r.width * r.thickness / 0.5);
+  params.gates[0].intervals = {{{TriggerKind::start}, {TriggerKind::time, 0.2}}, {{TriggerKind::time, 0.4}}};
+  Filling filling{ShellMesh(rectangle(r)), params};
+  while (filling.state().time < 0.2 - 1e-9) filling.advance();
+  const HeatAccount before = filling.state().heat;
+  const double stored = filling.stored_heat();
+  while (filling.state().time < 0.4 - 1e-9) filling.advance();
+  const HeatAccount& after = filling.state().heat;
+  EXPECT_EQ(after.brought_in, before.brought_in);
+  EXPECT_EQ(after.dissipated, before.dissipated);
+  EXPECT_GT(after.to_mold - before.to_mold, 0.05 * stored);
+  EXPECT_NEAR(after.to_mold - before.to_mold, stored - filling.stored_heat(), 1e-10 * stored);
+  EXPECT_EQ(finish(filling).state().stop_reason, FillingEnd::filled);
 }
 
 }  // namespace

@@ -45,17 +45,16 @@ TEST(FillingParamsChecks, FaultsAreListedTogether) {
   params.material.density = -1;
   params.gates[0].position = {0.5, 0.5, 0.1};
   params.numerics.layers = 7;
-  EXPECT_EQ(
-      complaint(params),
-      "material.density = -1: it is not positive: give a number above zero\n"
-      "gate gate.position = 0.1: so many metres lie between the gate and the part: move the gate onto the "
-      "middle surface of the part\n"
-      "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 64");
+  EXPECT_EQ(complaint(params),
+            "material.density = -1: it is not positive: give a number above zero\n"
+            "gate gate.position = 0.1: so many metres lie between it and the part: move it onto the middle "
+            "surface of the part\n"
+            "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 64");
 }
 
 TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
   FillingParams params = sound();
-  params.gates[0].opens = {TriggerKind::time, 1, {}};
+  params.gates[0].intervals[0].opens = {TriggerKind::time, 1};
   EXPECT_NE(complaint(params).find("none is open at the start"), std::string::npos);
   params.gates.clear();
   EXPECT_NE(complaint(params).find("place at least one gate"), std::string::npos);
@@ -69,6 +68,37 @@ TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
   EXPECT_NE(complaint(params).find("do not rise"), std::string::npos);
 }
 
+TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {
+  const auto told = [](std::vector<OpenInterval> intervals) {
+    FillingParams params = sound();
+    params.sensors = {{"S1", {0.5, 0.5, 0}}};
+    params.gates.push_back(params.gates[0]);
+    params.gates[1].name = "valve";
+    params.gates[1].intervals = std::move(intervals);
+    return complaint(params);
+  };
+  using enum TriggerKind;
+  EXPECT_EQ(told({{{filled_fraction, 0.2}, {time, 1}}, {{arrival, 0, 0}, {filled_fraction, 0.5}}}), "");
+  EXPECT_EQ(
+      told({{{start}, {filled_fraction, 0.5}}, {{filled_fraction, 0.5}}}),
+      "gate valve.events: event 3, filled 0.5, does not come after event 2, filled 0.5: sort the events: "
+      "opens, closes, opens again, ...");
+  EXPECT_NE(told({{{start}, {time, 0}}}).find("time 0 s, does not come after event 1, start"),
+            std::string::npos);
+  EXPECT_NE(told({{{arrival, 0.1, 0}, {arrival, 0.1, 0}}}).find("arrival at S1 0.1 s, does not come after"),
+            std::string::npos);
+  EXPECT_NE(told({{{start}, {never}}, {{time, 1}}}).find("follows one that never comes"), std::string::npos);
+  EXPECT_NE(told({{{time, 1}, {time, 2}}, {{start}}}).find("comes after another event"), std::string::npos);
+  EXPECT_NE(told({{{filled_fraction, 1.5}}}).find("filled 1.5 is out of range"), std::string::npos);
+  EXPECT_NE(told({{{arrival, 0, 3}}}).find("there is no sensor number 3"), std::string::npos);
+}
+
+TEST(FillingParamsChecks, SensorsLieOnThePart) {
+  FillingParams params = sound();
+  params.sensors = {{"S1", {0.5, 0.5, 0.01}}};
+  EXPECT_NE(complaint(params).find("sensor S1.position = 0.01"), std::string::npos);
+}
+
 TEST(FillingParamsChecks, FibersMustFitTheirClasses) {
   FillingParams params = sound();
   const double values[] = {1, 0.01, 2e9, 19e-6};
@@ -78,6 +108,13 @@ TEST(FillingParamsChecks, FibersMustFitTheirClasses) {
   EXPECT_EQ(complaint(params), "");
   params.fibers.inlet.lengths = {0.01};
   EXPECT_NE(complaint(params).find("1 lengths for 2 classes"), std::string::npos);
+  params.fibers.inlet.lengths.clear();
+  params.fibers.inlet.numbers = {1, 2};
+  EXPECT_NE(complaint(params).find("give one number a class, here and for all gates"), std::string::npos);
+  params.fibers.class_numbers = {1, 1};
+  EXPECT_EQ(complaint(params), "");
+  params.fibers.inlet.numbers = {0, 0};
+  EXPECT_NE(complaint(params).find("none is positive"), std::string::npos);
   params = sound();
   params.fibers.inlet.orientation = Vec3(1.2, -0.1, -0.1).asDiagonal();
   EXPECT_NE(complaint(params).find("fibers.inlet.orientation"), std::string::npos);
