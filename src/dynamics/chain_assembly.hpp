@@ -14,6 +14,7 @@ class PairForces;
 /// nothing.
 struct ChainGroup {
   int nodes = 0;                                 ///< of the longest fiber
+  int first_rods = 0;                            ///< where its rods' numbers begin, in eights of rods
   Index fiber[8] = {};                           ///< −1: lane unused
   alignas(32) Index first[8] = {};               ///< first node
   alignas(32) int rods[8] = {};                  ///< that can be read
@@ -21,13 +22,23 @@ struct ChainGroup {
   alignas(64) double bending_stiffness[8] = {};  ///< E I, N m²
 };
 
+/// Numbers of the k-th rods of a group's fibers, which change only when fibers do: [k][number][lane]; as many
+/// k as nodes, where a fiber has ended its last rod is repeated.
+enum RodNumber {
+  length,         ///< m
+  parallel,       ///< drag for a viscosity of 1 Pa s, as RodDrag
+  perpendicular,  ///< likewise
+  rotational,     ///< likewise
+  shape,          ///< likewise
+  rod_numbers
+};
+
 /// States what drag and bending depend on; arrays with one entry a node.
 struct AssemblyQuery {
   double* records;            ///< of ChainSystem
   const double* position;     ///< where bending is taken, m
   const double* geometry;     ///< where drag and inextensibility are taken, m
-  const double* rod_length;   ///< m
-  const double* unit_drag;    ///< RodDrag: four numbers a rod
+  const double* rods;         ///< RodNumber: of the group
   const double* gradient;     ///< kappa by columns, 1/s
   const double* strain_rate;  ///< D by columns, 1/s
   double viscosity;           ///< Pa s
@@ -35,7 +46,8 @@ struct AssemblyQuery {
   bool is_anisotropic;        ///< whether parallel and perpendicular drag may differ
 };
 
-/// Assembles drag, bending and loads of a group.
-void assemble_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system);
+/// Assembles drag, bending and loads of a group, whose rods have these numbers (RodNumber).
+void assemble_group(const ChainProblem& problem, const ChainGroup& group, const double* rods,
+                    ChainSystem& system);
 
 }  // namespace fiberfate

@@ -53,12 +53,6 @@ struct Reader {
     for (int lane = 0; lane < lanes; ++lane) rows[lane] = from + 3 * place(group, lane, k, group.rods[lane]);
     return read_triples(rows);
   }
-  /// Reads number `which` of a rod's record of `stride` numbers.
-  inline __attribute__((always_inline)) Pack rods(const double* from, int stride, int which, int k) const {
-    const IndexPack last = load_indices(group.rods) - 1;
-    const IndexPack rod = load_indices(group.first) + (last < k ? last : IndexPack{} + k);
-    return gather(from + which, rod * stride);
-  }
   /// Sets the lanes whose fiber has more than k rods.
   inline __attribute__((always_inline)) Mask has_rod(int k) const {
     return __builtin_convertvector(load_indices(group.used) > k, Mask);
@@ -88,6 +82,10 @@ FIBERFATE_INLINE Pack arcsine_ratio(const Pack& y) {
   return choose(sharp, folded, ratio);
 }
 
+FIBERFATE_INLINE Pack rod_number(const AssemblyQuery& query, RodNumber number, int k) {
+  return load(query.rods + (static_cast<long>(k) * RodNumber::rod_numbers + number) * lanes);
+}
+
 /// Holds what a rod adds to the records of its two nodes.
 struct RodPart {
   Pack diagonal, coupling, excess, stretch, regular;
@@ -97,12 +95,12 @@ struct RodPart {
 FIBERFATE_INLINE RodPart rod_part(const AssemblyQuery& query, const Reader& read, int k, const Triple& axis) {
   const Mask there = read.has_rod(k);
   const Pack zero = broadcast(0);
-  const Pack length = read.rods(query.rod_length, 1, 0, k);
-  const Pack perpendicular = query.viscosity * read.rods(query.unit_drag, 4, 1, k);
+  const Pack length = rod_number(query, RodNumber::length, k);
+  const Pack perpendicular = query.viscosity * rod_number(query, RodNumber::perpendicular, k);
   const Pack parallel =
-      query.is_anisotropic ? query.viscosity * read.rods(query.unit_drag, 4, 0, k) : perpendicular;
-  const Pack turning = query.viscosity * read.rods(query.unit_drag, 4, 2, k);
-  const Pack shape = read.rods(query.unit_drag, 4, 3, k);
+      query.is_anisotropic ? query.viscosity * rod_number(query, RodNumber::parallel, k) : perpendicular;
+  const Pack turning = query.viscosity * rod_number(query, RodNumber::rotational, k);
+  const Pack shape = rod_number(query, RodNumber::shape, k);
   const Triple p = choose(there, 1.0 / square_root(dot(axis, axis)), zero) * axis;
   const Triple strain = transform(query.strain_rate, p);
   const Pack translation = 0.25 * perpendicular;
@@ -203,13 +201,13 @@ void assemble_chains(const AssemblyQuery& query, const ChainGroup& group) {
   }
   const Pack bending = load(group.bending_stiffness);
   Triple x[3] = {none, read.vectors(query.position, 0), read.vectors(query.position, 1)};
-  Pack inverse_length[2] = {zero, 1.0 / read.rods(query.rod_length, 1, 0, 0)};
+  Pack inverse_length[2] = {zero, 1.0 / rod_number(query, RodNumber::length, 0)};
   for (int k = 1; k + 1 < group.nodes; ++k) {
     x[0] = x[1];
     x[1] = x[2];
     x[2] = read.vectors(query.position, k + 1);
     inverse_length[0] = inverse_length[1];
-    inverse_length[1] = 1.0 / read.rods(query.rod_length, 1, 0, k);
+    inverse_length[1] = 1.0 / rod_number(query, RodNumber::length, k);
     add_hinge(query, read, bending, k, x, inverse_length);
   }
 }

@@ -49,7 +49,7 @@ ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {
 
 }  // namespace
 
-void ChainSolver::arrange(const FiberState& state) {
+void ChainSolver::arrange(const FiberState& state, DragLaw drag) {
   std::vector<Index> order(static_cast<std::size_t>(state.fiber_count()));
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -58,6 +58,27 @@ void ChainSolver::arrange(const FiberState& state) {
   for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes)
     groups_.push_back(
         group_of(state, {order.data() + i, std::min<std::size_t>(ChainSystem::lanes, order.size() - i)}));
+  arrange_rods(state, unit_drag_of_rods(state, drag));
+}
+
+void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag) {
+  int count = 0;
+  for (ChainGroup& group : groups_) {
+    group.first_rods = count;
+    count += group.nodes;
+  }
+  rods_.reserve(static_cast<std::size_t>(count) * RodNumber::rod_numbers * ChainSystem::lanes);
+  for (const ChainGroup& group : groups_) {
+    for (int k = 0; k < group.nodes; ++k) {
+      double* to = rods_of(group) + k * RodNumber::rod_numbers * ChainSystem::lanes;
+      for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
+        const auto rod = static_cast<std::size_t>(group.first[lane] + std::min(k, group.rods[lane] - 1));
+        const double numbers[] = {state.rod_length[rod], drag[rod].parallel, drag[rod].perpendicular,
+                                  drag[rod].rotational, drag[rod].shape};
+        for (int i = 0; i < RodNumber::rod_numbers; ++i) to[i * ChainSystem::lanes + lane] = numbers[i];
+      }
+    }
+  }
 }
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
@@ -66,7 +87,7 @@ void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
     const ChainGroup& group = groups_[static_cast<std::size_t>(g)];
     ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];
     system.reserve(group.nodes);
-    assemble_group(problem, group, system);
+    assemble_group(problem, group, rods_of(group), system);
     eliminate(system, group.nodes);
     for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
       for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {

@@ -17,10 +17,9 @@ namespace fiberfate {
 
 /// States the problem of one step. Spans with one entry a node; entries of rods stand at their first node.
 struct ChainProblem {
-  const FiberState& state;             ///< positions at the step's begin
-  std::span<const Vec3> geometry;      ///< positions at which drag and inextensibility hold (mid-step), m
-  std::span<const RodDrag> unit_drag;  ///< of every rod, for a viscosity of 1 Pa s
-  const RodLoads& loads;               ///< forces on rods, implicit in their velocity
+  const FiberState& state;         ///< positions at the step's begin
+  std::span<const Vec3> geometry;  ///< positions at which drag and inextensibility hold (mid-step), m
+  const RodLoads& loads;           ///< forces on rods, implicit in their velocity
   Flow flow;
   double step = 0;                           ///< over which bending is implicit, s; 0 makes it explicit
   const PairForces* pairs = nullptr;         ///< forces between rods, linearised about ...
@@ -41,12 +40,20 @@ struct ChainSolution {
 /// elimination along the fiber, eight fibers side by side (physics: docs/theory/particles.md).
 class ChainSolver {
  public:
-  /// Groups the fibers of a state by rod count; call again whenever fibers have been added or split.
-  void arrange(const FiberState& state);
+  /// Groups the fibers of a state by rod count and works out their drag; call again whenever fibers have been
+  /// added or split.
+  void arrange(const FiberState& state, DragLaw drag);
   void solve(const ChainProblem& problem, ChainSolution solution);
 
  private:
+  void arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag);
+
+  [[nodiscard]] double* rods_of(const ChainGroup& group) {
+    return rods_.data() + std::ptrdiff_t{group.first_rods} * RodNumber::rod_numbers * ChainSystem::lanes;
+  }
+
   std::vector<ChainGroup> groups_;
+  AlignedArray rods_;                 ///< RodNumber, group after group
   std::vector<ChainSystem> systems_;  ///< one a thread
 };
 

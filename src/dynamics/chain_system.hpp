@@ -2,19 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
-#include <memory>
-#include <vector>
 
-#include "dynamics/pair_forces.hpp"
+#include "base/aligned_array.hpp"
+#include "dynamics/pair_loads.hpp"
 
 namespace fiberfate {
-
-/// Lists the shares of a group's rods, fiber by fiber, and where each rod's shares end.
-struct GroupShares {
-  std::vector<PairForces::Share> shares;
-  std::vector<std::size_t> ends;
-};
 
 /// Holds, for eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
 /// tensions:
@@ -41,25 +33,24 @@ class ChainSystem {
   static constexpr int kept = 28;
 
   /// Makes room for `nodes` nodes (grows only).
-  void reserve(int nodes);
+  void reserve(int nodes) {
+    records_.reserve(static_cast<std::size_t>(nodes) * lanes * size);
+    factors_.reserve(static_cast<std::size_t>(nodes) * lanes * kept);
+  }
   [[nodiscard]] double* record(int node) {
-    return records_.get() + static_cast<std::ptrdiff_t>(node) * size * lanes;
+    return records_.data() + static_cast<std::ptrdiff_t>(node) * size * lanes;
   }
   [[nodiscard]] double& at(int node, int component, int lane) {
     return record(node)[component * lanes + lane];
   }
-  [[nodiscard]] double* factors() { return factors_.get(); }
+  [[nodiscard]] double* factors() { return factors_.data(); }
   /// Scratch for the forces of pairs on the rods of the eight fibers.
-  [[nodiscard]] GroupShares& shares() { return shares_; }
+  [[nodiscard]] PairSlots& slots() { return slots_; }
 
  private:
-  struct Free {
-    void operator()(double* memory) const { std::free(memory); }
-  };
-  int capacity_ = 0;
-  std::unique_ptr<double[], Free> records_;
-  std::unique_ptr<double[], Free> factors_;
-  GroupShares shares_;
+  AlignedArray records_;
+  AlignedArray factors_;
+  PairSlots slots_;
 };
 
 }  // namespace fiberfate

@@ -116,11 +116,10 @@ void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, Pai
       to.s = s[lane];
       to.t = t[lane];
       to.distance = distance[lane];
-      to.along = static_cast<float>(along[lane]);
-      to.across = static_cast<float>(across[lane]);
+      to.along = along[lane];
+      to.across = across[lane];
       to.first = contacts.first[i + lane];
       to.second = contacts.second[i + lane];
-      to.image = contacts.image[i + lane];
     }
   }
 }

@@ -26,13 +26,7 @@ double ContactLoads::range() const {
 }
 
 void ContactLoads::arrange(const ContactSet& contacts, const FiberState& state) {
-  chunk_begin_.resize(contacts.size() + 1);
-  chunk_begin_[0] = 0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) chunk_begin_[c + 1] = chunk_begin_[c] + contacts[c].count;
-  pairs_.reset(state.node_count(), chunk_begin_.back());
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
-    pairs_.link(chunk_begin_[static_cast<std::size_t>(c)], contacts[static_cast<std::size_t>(c)]);
-  });
+  pairs_.deal(contacts, state.node_count());
   arrange_walls(state);
 }
 
@@ -55,7 +49,7 @@ void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& conte
                          static_cast<int>(materials_)};
   parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
-    evaluate_forces(contacts[i], query, pairs_.forces().data() + chunk_begin_[i]);
+    evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin(i));
   });
   for (std::size_t w = 0; w < walls_.size(); ++w) wall_loads_.slot(slots_[w]) = wall_load(walls_[w], context);
 }

@@ -58,7 +58,6 @@ class ContactLoads {
   std::size_t materials_ = 0;
   std::vector<NormalForce> laws_;  // by pair of materials
   std::vector<NormalForce::Constants> constants_;
-  std::vector<Index> chunk_begin_;  // of the chunks' forces
   PairForces pairs_;
   std::vector<WallContact> walls_;
   std::vector<RodLoads::Claim> claims_;  // one a wall contact

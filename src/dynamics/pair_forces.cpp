@@ -1,7 +1,6 @@
-// Chains the forces of contacts to their rods.
+// Deals the forces of contacts to their rods.
 #include "dynamics/pair_forces.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -15,40 +14,77 @@ std::int64_t key_of(Index other, std::int32_t image) {
   return static_cast<std::int64_t>(other) << 24 | image;
 }
 
+/// Adds one and returns what was there before; threads may do so at the same time.
+Index take_one(Index& number, bool is_alone) {
+  return is_alone ? number++ : std::atomic_ref<Index>(number).fetch_add(1, std::memory_order_relaxed);
+}
+
 }  // namespace
 
-void PairForces::reset(Index nodes, Index forces) {
-  head_.assign(static_cast<std::size_t>(nodes), -1);
-  forces_.resize(static_cast<std::size_t>(forces));
-  links_.resize(2 * forces_.size());
+void PairForces::deal(const ContactSet& contacts, Index nodes) {
+  count_forces(contacts);
+  count_shares(contacts, static_cast<std::size_t>(nodes));
+  place_shares(contacts);
+  sort_shares();
 }
 
-void PairForces::link(Index begin, const ContactChunk& contacts) {
-  const bool alone = thread_count() == 1;
-  const auto put = [&](Index rod, Index share, std::int64_t key) {
-    Index& head = head_[static_cast<std::size_t>(rod)];
-    const Index next = alone ? std::exchange(head, share)
-                             : std::atomic_ref<Index>(head).exchange(share, std::memory_order_relaxed);
-    links_[static_cast<std::size_t>(share)] = {key, next};
+void PairForces::count_forces(const ContactSet& contacts) {
+  chunk_begin_.resize(contacts.size() + 1);
+  chunk_begin_[0] = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) chunk_begin_[c + 1] = chunk_begin_[c] + contacts[c].count;
+  forces_.resize(static_cast<std::size_t>(chunk_begin_.back()));
+  shares_.resize(2 * forces_.size());
+}
+
+void PairForces::count_shares(const ContactSet& contacts, std::size_t nodes) {
+  next_.assign(nodes, 0);
+  const bool is_alone = thread_count() == 1;
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
+    const ContactChunk& chunk = contacts[static_cast<std::size_t>(c)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
+      take_one(next_[static_cast<std::size_t>(chunk.first[i])], is_alone);
+      take_one(next_[static_cast<std::size_t>(chunk.second[i])], is_alone);
+    }
+  });
+  begin_.resize(nodes + 1);
+  Index sum = 0;
+  for (std::size_t rod = 0; rod < nodes; ++rod) {
+    begin_[rod] = sum;
+    sum += std::exchange(next_[rod], sum);
+  }
+  begin_[nodes] = sum;
+}
+
+void PairForces::place_shares(const ContactSet& contacts) {
+  const bool is_alone = thread_count() == 1;
+  const auto put = [&](Index rod, const Share& share) {
+    const Index at = take_one(next_[static_cast<std::size_t>(rod)], is_alone);
+    shares_[static_cast<std::size_t>(at)] = share;
   };
-  for (Index c = 0; c < contacts.count; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    const std::int32_t image = contacts.image[i];
-    const std::int32_t back = image == 0 ? 0 : pack_image(-unpack_image(image));
-    put(contacts.first[i], 2 * (begin + c), key_of(contacts.second[i], image));
-    put(contacts.second[i], 2 * (begin + c) + 1, key_of(contacts.first[i], back));
-  }
+  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
+    const ContactChunk& chunk = contacts[static_cast<std::size_t>(c)];
+    Index number = 2 * chunk_begin_[static_cast<std::size_t>(c)];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
+      const std::int32_t image = chunk.image[i];
+      const std::int32_t back = image == 0 ? 0 : pack_image(-unpack_image(image));
+      put(chunk.first[i], {key_of(chunk.second[i], image), number++});
+      put(chunk.second[i], {key_of(chunk.first[i], back), number++});
+    }
+  });
 }
 
-void PairForces::of_rod(Index rod, std::vector<Share>& shares) const {
-  const auto begin = static_cast<std::ptrdiff_t>(shares.size());
-  for (Index share = head_[static_cast<std::size_t>(rod)]; share >= 0;) {
-    const Link& link = links_[static_cast<std::size_t>(share)];
-    shares.push_back({link.key, share / 2, share % 2 == 0});
-    share = link.next;
-  }
-  std::sort(shares.begin() + begin, shares.end(),
-            [](const Share& a, const Share& b) { return a.key < b.key; });
+void PairForces::sort_shares() {
+  parallel_for(static_cast<std::ptrdiff_t>(next_.size()), [&](std::ptrdiff_t rod) {
+    const auto r = static_cast<std::size_t>(rod);
+    // Rods have a few shares at most: insertion is fastest.
+    for (Index i = begin_[r] + 1; i < begin_[r + 1]; ++i) {
+      const Share moved = shares_[static_cast<std::size_t>(i)];
+      Index j = i;
+      for (; j > begin_[r] && shares_[static_cast<std::size_t>(j) - 1].key > moved.key; --j)
+        shares_[static_cast<std::size_t>(j)] = shares_[static_cast<std::size_t>(j) - 1];
+      shares_[static_cast<std::size_t>(j)] = moved;
+    }
+  });
 }
 
 }  // namespace fiberfate

@@ -15,8 +15,8 @@ namespace fiberfate {
 ///   force − R (w − w_old),   R = along n nᵀ + across (I − n nᵀ)
 /// and at x_2 of the second, place t, −force − R (w − w_old). Both rods also get the couple −(d/2) n × force,
 /// because they touch midway between the axes; its part along a rod's axis, which would spin the rod, is
-/// taken up by the fiber's torsion, which the model does not follow. Resistances are in single precision:
-/// they only bound how the force changes, both sides use the same numbers, and at w = w_old they drop out.
+/// taken up by the fiber's torsion, which the model does not follow. Both sides use the same resistances, and
+/// at w = w_old they drop out.
 ///
 /// Plain numbers, because kernels of several instruction sets write it.
 struct PairForce {
@@ -25,50 +25,45 @@ struct PairForce {
   double s;          ///< place on the first rod, in [0, 1]
   double t;          ///< place on the second rod, in [0, 1]
   double distance;   ///< of the axes, m
-  float along;       ///< N s/m
-  float across;      ///< N s/m
+  double along;      ///< N s/m
+  double across;     ///< N s/m
   Index first;
   Index second;
-  std::int32_t image;  ///< of the second rod, packed
 };
 
-/// Holds the forces of all contacts and finds those of a rod.
+/// Holds the forces of all contacts, and for every rod its shares of them.
 class PairForces {
  public:
   /// Names what one rod has of a force.
   struct Share {
-    std::int64_t key;  ///< orders the shares of a rod
-    Index force;
-    bool is_first;  ///< which of the force's rods this is
+    std::int64_t key;  ///< orders the shares of a rod: who exerts it (rod, then image seen from this one)
+    Index number;      ///< 2 × force, + 1 on the force's second rod
   };
 
-  /// Makes room for so many forces on the rods of a state with `nodes` nodes.
-  void reset(Index nodes, Index forces);
+  /// Deals the forces of contacts, chunk after chunk, to the rods of a state with `nodes` nodes. Each rod's
+  /// shares are ordered by key, so that sums over them always round alike.
+  void deal(const ContactSet& contacts, Index nodes);
   [[nodiscard]] std::span<PairForce> forces() { return forces_; }
   [[nodiscard]] std::span<const PairForce> forces() const { return forces_; }
-  /// Tells the rods of a chunk of contacts that the forces from `begin` on act on them; any thread may do so.
-  void link(Index begin, const ContactChunk& contacts);
+  /// Number of the first force of a chunk of contacts.
+  [[nodiscard]] Index chunk_begin(std::size_t chunk) const { return chunk_begin_[chunk]; }
 
-  /// Asks the memory for what of_rod() will read of a rod.
-  void fetch(Index rod) const {
-    const Index head = head_[static_cast<std::size_t>(rod)];
-    if (head >= 0) __builtin_prefetch(&links_[static_cast<std::size_t>(head)]);
+  [[nodiscard]] std::span<const Share> of_rod(Index rod) const {
+    const auto r = static_cast<std::size_t>(rod);
+    return {shares_.data() + begin_[r], static_cast<std::size_t>(begin_[r + 1] - begin_[r])};
   }
-  /// Appends the shares of a rod, ordered by who exerts them (rod, then image seen from this one): sums over
-  /// them always round alike.
-  void of_rod(Index rod, std::vector<Share>& shares) const;
 
  private:
-  /// Joins a share to the next one of the same rod.
-  struct Link {
-    std::int64_t key;
-    Index next;  ///< −1 ends a chain
-  };
+  void count_forces(const ContactSet& contacts);
+  void count_shares(const ContactSet& contacts, std::size_t nodes);
+  void place_shares(const ContactSet& contacts);
+  void sort_shares();
 
   std::vector<PairForce> forces_;
-  // Every force is in two chains, one a rod: shares are numbered 2 × force, + 1 for the second rod.
-  std::vector<Index> head_;  // by rod: its first share
-  std::vector<Link> links_;  // by share
+  std::vector<Index> chunk_begin_;
+  std::vector<Share> shares_;  // rod after rod
+  std::vector<Index> begin_;   // of each rod's shares
+  std::vector<Index> next_;    // where its next one goes
 };
 
 }  // namespace fiberfate

@@ -52,8 +52,7 @@ struct Simulation::Parts {
   /// Renews everything that depends on which fibers there are.
   void fit_to_fibers() {
     const auto nodes = static_cast<std::size_t>(state.node_count());
-    unit_drag = unit_drag_of_rods(state, parameters.drag);
-    solver.arrange(state);
+    solver.arrange(state, parameters.drag);
     middle.resize(nodes);
     velocity.resize(nodes);
     tension.resize(nodes);
@@ -83,7 +82,6 @@ struct Simulation::Parts {
   // State
   FiberState state;
   // Scratch
-  std::vector<RodDrag> unit_drag;
   NeighbourList neighbours;
   ContactSearch search;
   ContactLoads loads;
@@ -135,9 +133,8 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
       loads.evaluate(search.contacts(), {state.position, velocity, now, step});
     }
     const PhaseTimer timer(times, Phase::solve);
-    const ChainProblem problem{state,          middle,   unit_drag,
-                               loads.walls(),  now,      step,
-                               &loads.pairs(), velocity, parameters.drag == DragLaw::ellipsoid};
+    const ChainProblem problem{state, middle,         loads.walls(), now,
+                               step,  &loads.pairs(), velocity,      parameters.drag == DragLaw::ellipsoid};
     solver.solve(problem, {velocity, tension});
   }
   return displacement_error(state, step, velocity);

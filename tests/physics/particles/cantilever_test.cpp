@@ -26,14 +26,13 @@ std::vector<Vec3> solve(const FiberState& state, const std::vector<Load>& forces
   loads.arrange(state.node_count(), claims, slots);
   for (std::size_t i = 0; i < forces.size(); ++i)
     loads.slot(slots[i]) = {forces[i].lever, forces[i].force, {}};
-  const auto drag = unit_drag_of_rods(state, DragLaw::beads);
   std::vector<Vec3> velocity(state.position.size());
   std::vector<double> tension(state.position.size());
   Flow rest;
   rest.viscosity = scenes::melt_viscosity;
   ChainSolver solver;
-  solver.arrange(state);
-  solver.solve({state, state.position, drag, loads, rest, step}, {velocity, tension});
+  solver.arrange(state, DragLaw::beads);
+  solver.solve({state, state.position, loads, rest, step}, {velocity, tension});
   return velocity;
 }
 

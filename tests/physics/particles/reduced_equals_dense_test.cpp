@@ -147,11 +147,10 @@ std::vector<Vec3> reduced_velocities(const Problem& problem, DragLaw law) {
   const auto nodes = static_cast<std::size_t>(problem.state.node_count());
   std::vector<Vec3> relative(nodes);
   std::vector<double> tension(nodes);
-  const auto drag = unit_drag_of_rods(problem.state, law);
   const RodLoads loads = loads_of(problem);
   ChainSolver solver;
-  solver.arrange(problem.state);
-  solver.solve({problem.state, problem.state.position, drag, loads, problem.flow, problem.step},
+  solver.arrange(problem.state, law);
+  solver.solve({problem.state, problem.state.position, loads, problem.flow, problem.step},
                {relative, tension});
   return relative;
 }

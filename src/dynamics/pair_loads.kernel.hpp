@@ -1,0 +1,159 @@
+// Adds pair forces to the records of eight fibers: the k-th rods of all eight at a time.
+#include "base/simd_rows.hpp"
+#include "dynamics/chain_assembly.hpp"
+#include "dynamics/chain_system.hpp"
+#include "dynamics/pair_loads.hpp"
+
+namespace fiberfate::FIBERFATE_ISA {
+
+namespace {
+
+#define FIBERFATE_INLINE static inline __attribute__((always_inline))
+
+/// Holds symmetric matrices: xx, yy, zz, yz, zx, xy.
+struct SymmetricPack {
+  Pack part[6];
+};
+
+/// Sums what the forces on a rod add to the records of its two nodes.
+struct RodSum {
+  SymmetricPack near, far;
+  Pack coupling[9];
+  Triple near_load, far_load;
+};
+
+/// Holds eight rods and the velocities about which forces are linearised.
+struct Rods {
+  Pack inverse_length;
+  Triple p, velocity, change;
+};
+
+/// Holds the shares of one slot: force on the rod at rest, sign + on a force's first rod.
+struct Shares {
+  Triple force, normal;
+  Pack sign, place, distance, along, across;
+};
+
+FIBERFATE_INLINE Rods read_rods(const PairLoadQuery& query, const ChainGroup& group, int k) {
+  const double* x[lanes];
+  const double* next_x[lanes];
+  const double* w[lanes];
+  const double* next_w[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int last = group.rods[lane] - 1;
+    const long rod = group.first[lane] + (k < last ? k : last);
+    x[lane] = query.position + 3 * rod;
+    next_x[lane] = x[lane] + 3;
+    w[lane] = query.velocity + 3 * rod;
+    next_w[lane] = w[lane] + 3;
+  }
+  const Pack inverse =
+      1.0 / load(query.numbers + (static_cast<long>(k) * RodNumber::rod_numbers + RodNumber::length) * lanes);
+  const Triple velocity = read_triples(w);
+  return {inverse, inverse * (read_triples(next_x) - read_triples(x)), velocity,
+          read_triples(next_w) - velocity};
+}
+
+// Stands where a fiber has no share in a slot.
+alignas(64) constexpr PairForce no_force = {};
+
+FIBERFATE_INLINE Shares read_shares(const PairLoadQuery& query, const Index* numbers) {
+  const double* force[lanes];
+  const double* normal[lanes];
+  const double* places[lanes];
+  const double* held[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    const PairForce& from = numbers[lane] < 0 ? no_force : query.forces[numbers[lane] / 2];
+    force[lane] = from.force;
+    normal[lane] = from.normal;
+    places[lane] = &from.s;
+    held[lane] = &from.along;
+  }
+  const Mask is_second = __builtin_convertvector(load_indices(numbers) & 1, Mask) != 0;
+  const Triple at = read_triples(places);
+  const Triple resistance = read_triples(held);
+  return {read_triples(force),
+          read_triples(normal),
+          choose(is_second, broadcast(-1), broadcast(1)),
+          choose(is_second, at.y, at.x),
+          at.z,
+          resistance.x,
+          resistance.y};
+}
+
+FIBERFATE_INLINE void add_blocks(RodSum& sum, const Shares& share, const Triple& direction,
+                                 const Pack& cosine, const Pack& turn) {
+  const Pack p[3] = {direction.x, direction.y, direction.z};
+  const Pack n[3] = {share.normal.x, share.normal.y, share.normal.z};
+  const Pack far = share.place;
+  const Pack near = 1.0 - far;
+  const Pack excess = share.along - share.across;
+  const int rows[6] = {0, 1, 2, 1, 2, 0};
+  const int columns[6] = {0, 1, 2, 2, 0, 1};
+  for (int i = 0; i < 6; ++i) {
+    const int r = rows[i], c = columns[i];
+    const Pack one = broadcast(r == c ? 1 : 0);
+    const Pack nn = n[r] * n[c];
+    const Pack both = p[r] * n[c] + n[r] * p[c];
+    const Pack held = share.across * one + excess * nn;
+    const Pack turning = turn * (both - 2.0 * cosine * one);
+    const Pack squared = turn * turn * (nn - cosine * both + cosine * cosine * one);
+    sum.near.part[i] += near * near * held + share.across * (squared - near * turning);
+    sum.far.part[i] += far * far * held + share.across * (squared + far * turning);
+    const Pack even = near * far * held - share.across * squared;
+    const Pack odd = share.across * turn;
+    const Pack diagonal = cosine * one;
+    sum.coupling[3 * c + r] +=
+        even + odd * (near * (p[r] * n[c] - diagonal) - far * (n[r] * p[c] - diagonal));
+    if (r != c) sum.coupling[3 * r + c] += even + odd * (near * (p[c] * n[r]) - far * (n[c] * p[r]));
+  }
+}
+
+FIBERFATE_INLINE void add_share(RodSum& sum, const Rods& rods, const Shares& share) {
+  const Triple& n = share.normal;
+  const Pack far = share.place;
+  const Pack cosine = dot(n, rods.p);
+  const Pack turn = share.sign * (0.5 * share.distance) * rods.inverse_length;
+  const Triple old =
+      rods.velocity + far * rods.change + turn * (dot(n, rods.change) * rods.p - cosine * rods.change);
+  const Triple force =
+      share.sign * share.force + share.across * old + ((share.along - share.across) * dot(n, old)) * n;
+  const Triple couple = turn * (dot(rods.p, force) * n - cosine * force);
+  sum.near_load = sum.near_load + (1.0 - far) * force - couple;
+  sum.far_load = sum.far_load + far * force + couple;
+  add_blocks(sum, share, rods.p, cosine, turn);
+}
+
+FIBERFATE_INLINE void add_to(double* record, int component, const Pack* values, int count) {
+  for (int c = 0; c < count; ++c) {
+    double* to = record + (component + c) * lanes;
+    store(to, load(to) + values[c]);
+  }
+}
+
+FIBERFATE_INLINE void add_to(double* record, const SymmetricPack& block, const Triple& force) {
+  const Pack parts[3] = {force.x, force.y, force.z};
+  add_to(record, ChainSystem::diagonal, block.part, 6);
+  add_to(record, ChainSystem::load, parts, 3);
+}
+
+}  // namespace
+
+void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group) {
+  int slot = 0;
+  for (int k = 0; k < query.rods; ++k) {
+    if (slot == query.slot_ends[k]) continue;
+    const Rods rods = read_rods(query, group, k);
+    RodSum sum = {};
+    for (; slot < query.slot_ends[k]; ++slot)
+      add_share(sum, rods, read_shares(query, query.slot_numbers + static_cast<long>(slot) * lanes));
+    double* record = query.records + static_cast<long>(k) * ChainSystem::size * lanes;
+    add_to(record, sum.near, sum.near_load);
+    add_to(record, ChainSystem::coupling, sum.coupling, 9);
+    add_to(record + ChainSystem::size * lanes, sum.far, sum.far_load);
+  }
+}
+
+#undef FIBERFATE_INLINE
+
+}  // namespace fiberfate::FIBERFATE_ISA
