@@ -12,29 +12,6 @@ namespace {
 // Room that the kernels need beyond the pairs of a chunk.
 constexpr std::size_t overrun = 16;
 
-bool begins_fiber(const FiberState& state, Index fiber, Index rod) {
-  return rod == state.begin_node(fiber);
-}
-bool ends_fiber(const FiberState& state, Index fiber, Index rod) {
-  return rod + 2 == state.end_node(fiber);
-}
-
-/// Names a rod of a pair and the place of the contact on it.
-struct RodPlace {
-  Index fiber, rod;
-  double place;
-};
-
-/// Tells whether a contact at the end of a rod is seen by the rod beyond the hinge as well, and belongs to
-/// that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
-/// other rod.
-bool belongs_to_neighbour(const FiberState& state, const RodPlace& at, const Vec3& other) {
-  if (at.place <= 0) return !begins_fiber(state, at.fiber, at.rod);
-  if (at.place < 1 || ends_fiber(state, at.fiber, at.rod)) return false;
-  const auto n = static_cast<std::size_t>(at.rod);
-  return (state.position[n + 2] - state.position[n + 1]).dot(other) > 0;
-}
-
 /// Works through the pairs of one chunk.
 class ChunkSearch {
  public:
@@ -75,20 +52,39 @@ class ChunkSearch {
   void keep(const RodPairs& pairs, std::size_t pair, std::size_t i, ContactChunk& contacts) const {
     const Index first = pairs.first[pair];
     const Index second = pairs.second[pair];
-    const Index f = neighbours_.fiber_of(first);
-    const Index g = neighbours_.fiber_of(second);
-    if (second == first + 2 && pairs.image[pair] == 0 && is_exempt(g, second)) return;
+    if (second == first + 2 && pairs.image[pair] == 0 && is_exempt(second)) return;
     const Vec3 separation(block_.separation[0][i], block_.separation[1][i], block_.separation[2][i]);
-    if (belongs_to_neighbour(state_, {f, first, block_.s[i]}, -separation)) return;
-    if (belongs_to_neighbour(state_, {g, second, block_.t[i]}, separation)) return;
+    if (belongs_to_neighbour(first, block_.s[i], -separation)) return;
+    if (belongs_to_neighbour(second, block_.t[i], separation)) return;
     contacts.add({first, second, block_.s[i], block_.t[i],
                   normal({first, second}, separation, block_.distance[i]), block_.distance[i],
-                  pairs.image[pair], state_.material_id[static_cast<std::size_t>(f)],
-                  state_.material_id[static_cast<std::size_t>(g)]});
+                  pairs.image[pair], material_of(first), material_of(second)});
   }
 
-  [[nodiscard]] bool is_exempt(Index fiber, Index rod) const {
-    return state_.touches_previous[static_cast<std::size_t>(fiber)] != 0 && begins_fiber(state_, fiber, rod);
+  // Which fiber a rod belongs to lies far away in memory, and few contacts need it.
+  [[nodiscard]] std::uint16_t material_of(Index rod) const {
+    if (state_.materials.size() == 1) return 0;
+    return state_.material_id[static_cast<std::size_t>(neighbours_.fiber_of(rod))];
+  }
+  [[nodiscard]] bool begins_fiber(Index rod) const {
+    return rod == state_.begin_node(neighbours_.fiber_of(rod));
+  }
+  [[nodiscard]] bool ends_fiber(Index rod) const {
+    return rod + 2 == state_.end_node(neighbours_.fiber_of(rod));
+  }
+  [[nodiscard]] bool is_exempt(Index rod) const {
+    return state_.touches_previous[static_cast<std::size_t>(neighbours_.fiber_of(rod))] != 0 &&
+           begins_fiber(rod);
+  }
+
+  /// Tells whether a contact at the end of a rod is seen by the rod beyond the hinge as well, and belongs to
+  /// that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
+  /// other rod.
+  [[nodiscard]] bool belongs_to_neighbour(Index rod, double place, const Vec3& other) const {
+    if (place <= 0) return !begins_fiber(rod);
+    if (place < 1 || ends_fiber(rod)) return false;
+    const auto n = static_cast<std::size_t>(rod);
+    return (state_.position[n + 2] - state_.position[n + 1]).dot(other) > 0;
   }
 
   /// Unit vector from the second rod to the first; axes that cross exactly are pushed apart across both.
