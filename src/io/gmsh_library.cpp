@@ -34,6 +34,10 @@ GmshLibrary load() {
   bind(handle, library.last_error, "gmshLoggerGetLastError");
   bind(handle, library.set_option, "gmshOptionSetNumber");
   bind(handle, library.open, "gmshOpen");
+  bind(handle, library.text_option, "gmshOptionGetString");
+  bind(handle, library.views, "gmshViewGetTags");
+  bind(handle, library.view_index, "gmshViewGetIndex");
+  bind(handle, library.view_data, "gmshViewGetHomogeneousModelData");
   bind(handle, library.add_model, "gmshModelAdd");
   bind(handle, library.entities, "gmshModelGetEntities");
   bind(handle, library.groups_of, "gmshModelGetPhysicalGroupsForEntity");

@@ -26,6 +26,10 @@ struct GmshLibrary {
   decltype(&gmshLoggerGetLastError) last_error;
   decltype(&gmshOptionSetNumber) set_option;
   decltype(&gmshOpen) open;
+  decltype(&gmshOptionGetString) text_option;
+  decltype(&gmshViewGetTags) views;
+  decltype(&gmshViewGetIndex) view_index;
+  decltype(&gmshViewGetHomogeneousModelData) view_data;
   decltype(&gmshModelAdd) add_model;
   decltype(&gmshModelGetEntities) entities;
   decltype(&gmshModelGetPhysicalGroupsForEntity) groups_of;

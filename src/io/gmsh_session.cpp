@@ -63,6 +63,7 @@ void append_surface(const GmshLibrary& gmsh, int surface, SurfaceMesh& mesh,
             surface, std::size_t{0}, std::size_t{1});
   if (elements.count == 0) return;
   corners.insert(corners.end(), nodes.items, nodes.items + nodes.count);
+  mesh.numbers.insert(mesh.numbers.end(), elements.items, elements.items + elements.count);
   mesh.regions.insert(mesh.regions.end(), elements.count, region_index(mesh, region_of(gmsh, surface)));
 }
 
@@ -87,6 +88,16 @@ void number_points(const GmshLibrary& gmsh, const std::vector<std::size_t>& corn
   };
   for (std::size_t i = 0; i < corners.size(); i += 3)
     mesh.triangles.push_back({index_of(corners[i]), index_of(corners[i + 1]), index_of(corners[i + 2])});
+}
+
+/// Names a view as the file does.
+std::string name_of_view(const GmshLibrary& gmsh, int tag) {
+  const std::string option = fmt::format("View[{}].Name", gmsh.call(gmsh.view_index, tag));
+  char* text = nullptr;
+  gmsh.call(gmsh.text_option, option.c_str(), &text);
+  const std::string found = text == nullptr ? "" : text;
+  gmsh.free(text);
+  return found;
 }
 
 }  // namespace
@@ -118,6 +129,33 @@ SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, 
                      "give a surface mesh; volumes and lines are not read");
   number_points(gmsh, corners, unit, mesh);
   return mesh;
+}
+
+ElementData take_element_data(const GmshSession& session, const std::string& name, const std::string& view) {
+  const GmshLibrary& gmsh = session.library();
+  GmshList<int> tags(gmsh);
+  gmsh.call(gmsh.views, &tags.items, &tags.count);
+  std::vector<std::string> others;
+  for (const int tag : tags.values()) {
+    others.push_back('"' + name_of_view(gmsh, tag) + '"');
+    if (others.back() != '"' + view + '"') continue;
+    char* kind = nullptr;
+    GmshList<std::size_t> elements(gmsh);
+    GmshList<double> values(gmsh);
+    double time = 0;
+    int components = 0;
+    gmsh.call(gmsh.view_data, tag, 0, &kind, &elements.items, &elements.count, &values.items, &values.count,
+              &time, &components);
+    const std::string found = kind == nullptr ? "" : kind;
+    gmsh.free(kind);
+    if (found != "ElementData" || components != 1)
+      throw InputError(fmt::format("{}: \"{}\" is {} of {} components", name, view, found, components),
+                       "give one number an element ($ElementData)");
+    return {elements.values(), values.values()};
+  }
+  throw InputError(fmt::format("{}: there is no data \"{}\"", name, view),
+                   others.empty() ? "add a section $ElementData to the file"
+                                  : fmt::format("it has {}", fmt::join(others, ", ")));
 }
 
 }  // namespace fiberfate

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "io/gmsh_library.hpp"
-#include "io/surface_mesh.hpp"
+#include "io/surface_file.hpp"
 
 namespace fiberfate {
 
@@ -25,5 +25,10 @@ class GmshSession {
 /// Takes the triangles of all surfaces; `unit` scales the points. Raises InputError, which calls the source
 /// `name`, when there are none or when a surface holds other elements.
 [[nodiscard]] SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, double unit);
+
+/// Takes the data `view` that belong to elements, one number each. Raises InputError, which calls the source
+/// `name`, when there are none of that name or they are of another kind.
+[[nodiscard]] ElementData take_element_data(const GmshSession& session, const std::string& name,
+                                            const std::string& view);
 
 }  // namespace fiberfate

@@ -58,17 +58,29 @@ void require_mesh_file(const std::string& path) {
                      "save the part as a Gmsh mesh or as STL, with that extension");
 }
 
-}  // namespace
-
-SurfaceMesh read_surface(const std::string& path, double unit) {
-  require_mesh_file(path);
-  const GmshSession session;
+/// Lets Gmsh read a file that has been looked at.
+void open_in(const GmshSession& session, const std::string& path) {
   try {
     session.library().call(session.library().open, path.c_str());
   } catch (const GmshError& error) {
     throw InputError(fmt::format("{}: Gmsh cannot read it: {}", path, error.what()), "save the mesh again");
   }
+}
+
+}  // namespace
+
+SurfaceMesh read_surface(const std::string& path, double unit) {
+  require_mesh_file(path);
+  const GmshSession session;
+  open_in(session, path);
   return take_triangles(session, path, unit);
+}
+
+ElementData read_element_data(const std::string& path, const std::string& name) {
+  require_mesh_file(path);
+  const GmshSession session;
+  open_in(session, path);
+  return take_element_data(session, path, name);
 }
 
 }  // namespace fiberfate

@@ -16,6 +16,7 @@ struct SurfaceMesh {
   std::vector<std::array<Index, 3>> triangles;  ///< points of each
   std::vector<Index> regions;                   ///< region of each triangle
   std::vector<std::string> region_names;
+  std::vector<std::size_t> numbers = {};  ///< of each triangle in the file that it comes from
 };
 
 }  // namespace fiberfate

@@ -41,6 +41,67 @@ def test_the_pressure_of_a_strip_is_exact(tmp_path):
     assert math.sqrt(sum(error**2 for error in errors) / len(errors)) < 2.5e-3 * exact[-1]
 
 
+def test_elements_of_a_file_have_thicknesses_of_their_own(tmp_path):
+    fill(tmp_path / "r", "39_wedge")
+    filled, pressure = column(tmp_path / "r", "filled_fraction"), column(tmp_path / "r", "sprue_pressure_Pa")
+    slope, end = 0.0015 / 0.12, 12 * 100 * 8e-6 / 0.03 * 4e7 / 3
+    errors = []
+    for share, found in zip(filled, pressure):
+        if not 0.1 < share < 0.97:
+            continue
+        # H = 3 mm - slope x; volume to x: 0.03 (0.003 x - slope x^2/2); p = (12 eta Q/W) int dx/H^3.
+        front = math.sqrt(0.003**2 - 2 * slope * share * 8.1e-6 / 0.03)
+        errors.append(found - 12 * 100 * 8e-6 / 0.03 * (front**-2 - 0.003**-2) / (2 * slope))
+    # 24 cells along the strip: the front's saw-tooth is some 0.5 % of the largest pressure.
+    assert math.sqrt(sum(error**2 for error in errors) / len(errors)) < 0.01 * end
+    run("report", tmp_path / "r")
+
+
+def test_a_table_gives_the_same_thicknesses(tmp_path):
+    text = (CASES / "39_wedge" / "wedge.msh").read_text(encoding="utf-8")
+    rows = text.split("$ElementData")[1].split("\n$End")[0].strip().split("\n")[8:]
+    (tmp_path / "walls.csv").write_text("element, thickness\n" + "\n".join(row.replace(" ", ", ") for row in reversed(rows)), encoding="utf-8")
+    (tmp_path / "wedge.msh").write_text(text.split("$ElementData")[0], encoding="utf-8")
+    case = (CASES / "39_wedge" / "case.toml").read_text(encoding="utf-8")
+    (tmp_path / "case.toml").write_text(case.replace('thickness_data = "thickness"', 'thickness_file = "walls.csv"'), encoding="utf-8")
+    run("run", tmp_path / "case.toml", "--out", tmp_path / "r", "--progress", "none")
+    fill(tmp_path / "direct", "39_wedge")
+    assert series(tmp_path / "r") == series(tmp_path / "direct")
+
+
+@pytest.mark.parametrize("rows, message", [
+    ("1 3\n2 3\n", 'part.thickness_file = "walls.csv": elements 3, 4, 5 and 283 more have no thickness: give every triangle of the '
+                    "mesh one thickness, in units of part.file_unit"),
+    ("1 3\n1 2\n", "; element 1 has two thicknesses: "),
+    ("1 0\n2 -2\n", "; elements 1, 2 are not above 0 and at most 100 mm thick: "),
+    ("1 3000\n", "; element 1 is not above 0 and at most 100 mm thick: "),
+    ("999 3\n", "; element 999 is no triangle of the mesh: "),
+    ("1.5 3\n", "1.5 is no element's number"),
+    ("1 3\n2 3 4\n", "walls.csv:2: not a row of 2 numbers"),
+    (None, "part.thickness_file")])
+def test_faults_of_a_table_of_thicknesses_are_named(tmp_path, rows, message):
+    for name in ("wedge.msh", "case.toml"):
+        text = (CASES / "39_wedge" / name).read_text(encoding="utf-8")
+        (tmp_path / name).write_text(text.replace('thickness_data = "thickness"', 'thickness_file = "walls.csv"'), encoding="utf-8")
+    if rows is not None:
+        (tmp_path / "walls.csv").write_text(rows, encoding="utf-8")
+    assert message in run("run", tmp_path / "case.toml", "--out", tmp_path / "r", "--progress", "none", expect=2).stderr
+
+
+@pytest.mark.parametrize("name, overrides, message", [
+    ("39_wedge", ['part.thickness_data="wall"'], 'there is no data "wall": it has "thickness"'),
+    ("30_plaque", ['part.thickness_data="wall"'], "only elements of a mesh from a file have numbers")])
+def test_thicknesses_that_are_not_there_are_named(tmp_path, name, overrides, message):
+    assert message in complaint(tmp_path, name, *overrides)
+
+
+def test_a_wall_needs_a_thickness(tmp_path):
+    text = (CASES / "35_strip" / "case.toml").read_text(encoding="utf-8")
+    (tmp_path / "case.toml").write_text(text.replace('thickness = "2 mm"\n', ""), encoding="utf-8")
+    message = run("run", tmp_path / "case.toml", "--out", tmp_path / "r", "--progress", "none", expect=2).stderr
+    assert 'part.thickness: not given; the walls need it: add thickness = "2 mm" under [part]' in message
+
+
 def test_a_bent_strip_is_filled_as_a_flat_one(tmp_path):
     for name, words in (("flat", []), ("bent", ["--variant", "bent"])):
         fill(tmp_path / name, "35_strip", *words)

@@ -9,7 +9,9 @@
 #include <numeric>
 #include <utility>
 
+#include "app/studies/element_thickness.hpp"
 #include "app/studies/part_shapes.hpp"
+#include "app/studies/text_keys.hpp"
 #include "app/studies/text_rows.hpp"
 #include "base/error.hpp"
 #include "io/surface_file.hpp"
@@ -84,7 +86,7 @@ void describe_thickness(KeyTable& table, PartChoices& part) {
                   .unit = "m",
                   .friendly = "mm",
                   .range = Range::positive(0.1),
-                  .need = Need::required,
+                  .need = Need::usual,
                   .example = "\"2 mm\"",
                   .source = "thesis table 10"});
   describe_text_rows(
@@ -108,6 +110,15 @@ void describe_thickness(KeyTable& table, PartChoices& part) {
                write_list({write_text(one.region), write_quantity(one.thickness, {"m", "mm"}, style)}));
          return rows;
        }});
+  table.file("part.thickness_file", part.thickness_file,
+             {.text = "Table of the thickness of every triangle of a mesh from a file, instead of thickness: "
+                      "rows of the element's number in that file (in an .stl, counted from 1) and the "
+                      "thickness in units of file_unit."});
+  describe_text(
+      table, "part.thickness_data", part.thickness_data, "name",
+      {.text = "Name of $ElementData in the .msh file that hold the thickness of every triangle, in "
+               "units of file_unit.",
+       .example = "\"thickness\""});
   table.rows(
       "part.thickness_profile", part.thickness_profile,
       {{"x", {"m", "mm"}, Range::between(-100, 100)}, {"factor", {"1", "1"}, Range::positive(100)}},
@@ -128,6 +139,10 @@ double profile_factor(const std::vector<std::vector<double>>& rows, double x) {
 
 /// Gives every triangle its thickness; `flat` are the points before they were bent.
 void set_thickness(const PartChoices& part, const SurfaceMesh& flat, Shell& shell) {
+  if (has_element_thickness(part)) {
+    shell.thickness = element_thickness(part, flat);
+    return;
+  }
   std::vector<double> by_region(flat.region_names.size(), *part.thickness);
   for (const RegionThickness& one : part.thicknesses) {
     const auto found = std::find(flat.region_names.begin(), flat.region_names.end(), one.region);
@@ -146,6 +161,26 @@ void set_thickness(const PartChoices& part, const SurfaceMesh& flat, Shell& shel
       thickness = std::lerp(*part.thickness, part.fan_thickness, std::min(1.0, -x / part.fan_length));
     shell.thickness.push_back(thickness);
   }
+}
+
+/// Tells what fits together of all that thicknesses may come from.
+void validate_thickness(const PartChoices& part, CaseChecker& checker) {
+  if (!has_element_thickness(part)) {
+    if (!part.thickness)
+      checker.error("part.thickness", "not given; the walls need it",
+                    "add thickness = \"2 mm\" under [part]");
+    return;
+  }
+  checker.warn_unused({"part.thickness", "part.thicknesses", "part.thickness_profile"},
+                      "parts without thicknesses by element");
+  const std::string key = part.thickness_file.empty() ? "part.thickness_data" : "part.thickness_file";
+  if (part.kind != PartKind::file)
+    checker.error(key, "only elements of a mesh from a file have numbers",
+                  "give kind = \"file\", or thickness, thicknesses and thickness_profile");
+  if (!part.thickness_file.empty() && !part.thickness_data.empty())
+    checker.error("part.thickness_data", "thicknesses by element are given in two ways",
+                  "leave it or part.thickness_file out");
+  if (!part.thickness_file.empty()) checker.check_file("part.thickness_file", part.thickness_file);
 }
 
 void require_rows_to_rise(const PartChoices& part, CaseChecker& checker) {
@@ -241,6 +276,7 @@ void validate_part(const PartChoices& part, CaseChecker& checker) {
       checker.error("part.opening_width", "not less than " + checker.cite("part.width"),
                     "give a smaller opening");
   }
+  validate_thickness(part, checker);
   require_rows_to_rise(part, checker);
   if (checker.is_sound() && foreseen_triangles(part) > most_triangles)
     checker.error("part.mesh_size", fmt::format("makes about {:.2g} triangles", foreseen_triangles(part)),

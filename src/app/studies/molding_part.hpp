@@ -33,6 +33,8 @@ struct PartChoices {
   Junctions junctions = Junctions::refused;  ///< in that file
   std::optional<double> thickness;           ///< m
   std::vector<RegionThickness> thicknesses;
+  std::string thickness_file;  ///< table of elements of that file and their thicknesses
+  std::string thickness_data;  ///< name of such data in that file
   std::vector<std::vector<double>> thickness_profile;   ///< rows (x m, factor on the thickness)
   std::optional<double> length;                         ///< along x, m
   std::optional<double> width;                          ///< along y, m
@@ -63,7 +65,7 @@ struct MoldingPart {
 };
 
 /// Reads or meshes the part of a valid case. Raises InputError as read_surface, mesh_patches and check_shell,
-/// and for a region that the part does not have.
+/// for a region that the part does not have, and as element_thickness.
 [[nodiscard]] MoldingPart make_part(const PartChoices& part);
 
 /// Makes all of a part but its mesh: gates and places.

@@ -37,7 +37,8 @@ FactsSection asked(const MoldingCase& values) {
   };
   section.rows = {
       {"Part", std::string(part_name(values.part.kind))},
-      {"Thickness", *values.part.thickness, "m"},
+      values.part.thickness ? Fact{"Thickness", *values.part.thickness, "m"}
+                            : Fact{"Thickness", std::string("by element")},
       {"Melt", values.machine.melt_temperature, "K"},
       {"Mold", values.machine.mold_temperature, "K"},
       {"Fiber volume fraction", values.fibers.volume_fraction},

@@ -75,6 +75,48 @@ TEST(SurfaceFile, ReadsGmshMeshesWithTheirRegions) {
   EXPECT_EQ(mesh.regions, (std::vector<Index>{0, 1}));
 }
 
+const char* const thickness_data = R"($ElementData
+1
+"wall"
+1
+0
+3
+0
+1
+2
+2 1.5
+1 2.5
+$EndElementData
+)";
+
+std::string data_message_for(const std::string& path, const std::string& name) {
+  try {
+    (void)read_element_data(path, name);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SurfaceFile, ReadsNumbersOfElementsAndTheirData) {
+  const ScratchFolder folder;
+  const std::string path = folder / "part.msh";
+  replace_file(path, std::string(square_msh) + thickness_data);
+  EXPECT_EQ(read_surface(path, 1e-3).numbers, (std::vector<std::size_t>{1, 2}));
+  const ElementData data = read_element_data(path, "wall");
+  ASSERT_EQ(data.elements.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(data.values[i], data.elements[i] == 1 ? 2.5 : 1.5);
+  EXPECT_NE(data_message_for(path, "Wall").find("there is no data \"Wall\": it has \"wall\""),
+            std::string::npos);
+  replace_file(path, square_msh);
+  EXPECT_NE(data_message_for(path, "wall").find("add a section $ElementData"), std::string::npos);
+  std::string at_nodes = std::string(square_msh) + thickness_data;
+  for (std::size_t at; (at = at_nodes.find("ElementData")) != std::string::npos;)
+    at_nodes.replace(at, 11, "NodeData");
+  replace_file(path, at_nodes);
+  EXPECT_NE(data_message_for(path, "wall").find("NodeData"), std::string::npos);
+}
+
 TEST(SurfaceFile, JoinsTheCornersOfStl) {
   const ScratchFolder folder;
   replace_file(folder / "part.stl", square_stl);
