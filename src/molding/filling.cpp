@@ -2,7 +2,9 @@
 #include "molding/filling.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <exception>
 #include <utility>
 
 #include "base/error.hpp"
@@ -15,6 +17,7 @@
 #include "molding/length_transport.hpp"
 #include "molding/orientation_transport.hpp"
 #include "molding/step_control.hpp"
+#include "molding/sweep.hpp"
 
 namespace fiberfate {
 
@@ -23,7 +26,8 @@ struct Filling::Parts {
   Parts(ShellMesh mesh_in, FillingParams params_in)
       : mesh(std::move(mesh_in)),
         params(checked(std::move(params_in), mesh)),
-        layers(params.numerics.layers / 2, params.numerics.wall_width_ratio),
+        layers(params.numerics.layers / 2, params.numerics.wall_width_ratio,
+               params.numerics.middle_width_ratio),
         gates(mesh, params),
         solver(mesh, params, layers),
         heat(mesh, params, layers),
@@ -57,6 +61,7 @@ struct Filling::Parts {
   void measure_gates();
   void move_front();
   void carry();
+  void sweep(bool heated);
   void conclude();
   [[nodiscard]] double fraction() const { return state.injected_volume / mesh.total_volume(); }
   template <class Body>
@@ -141,10 +146,46 @@ void Filling::Parts::carry() {
     inherit_at_front(mesh, layers, step, field, state);
     split_by_layers(mesh, layers, field, step);
   });
-  if (params.numerics.heat == HeatModel::full)
-    timed(FillingPhase::heat, [&] { heat.advance(step, field, state); });
-  timed(FillingPhase::lengths, [&] { lengths.advance(step, field, stretching, state); });
-  timed(FillingPhase::orientation, [&] { orientation.advance(step, field, state); });
+  const bool heated = params.numerics.heat == HeatModel::full;
+  if (heated) timed(FillingPhase::heat, [&] { heat.begin(step, field); });
+  sweep(heated);
+  if (heated) heat.end(state);
+}
+
+/// All that rides on the melt goes down the flow together: threads wait for each other once a level. The wall
+/// time of the sweep is shared out as the phases' times on all threads are.
+void Filling::Parts::sweep(bool heated) {
+  std::array<std::atomic<double>, filling_phase_count> spent{};
+  std::exception_ptr failure;
+  const auto body = [&](std::span<const Index> nodes) {
+    double begin = wall_seconds();
+    const auto lap = [&](FillingPhase phase) {
+      const double now = wall_seconds();
+      spent[static_cast<std::size_t>(phase)].fetch_add(now - begin, std::memory_order_relaxed);
+      begin = now;
+    };
+    if (heated) heat.advance(nodes, step, field, state);
+    lap(FillingPhase::heat);
+    lengths.advance(nodes, step, field, stretching, state);
+    lap(FillingPhase::lengths);
+    orientation.advance(nodes, step, field, state);
+    lap(FillingPhase::orientation);
+  };
+  const double begin = wall_seconds();
+  sweep_down_the_flow(step, [&](std::span<const Index> nodes) {
+    try {
+      body(nodes);
+    } catch (const std::exception&) {
+      // Exceptions must not leave a thread; any one of them tells what went wrong.
+#pragma omp critical
+      failure = std::current_exception();
+    }
+  });
+  if (failure) std::rethrow_exception(failure);
+  double sum = 0;
+  for (const auto& one : spent) sum += one;
+  for (std::size_t p = 0; p < filling_phase_count && sum > 0; ++p)
+    seconds[p] += (wall_seconds() - begin) * spent[p] / sum;
 }
 
 void Filling::Parts::conclude() {

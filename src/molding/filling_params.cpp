@@ -137,9 +137,10 @@ void check_coupling(const MoldingFibers& fibers, Problems& problems) {
 }
 
 void check_numerics(const FillingNumerics& numerics, Problems& problems) {
-  if (numerics.layers % 2 != 0 || numerics.layers < 4 || numerics.layers > 64)
+  if (numerics.layers % 2 != 0 || numerics.layers < 4 ||
+      numerics.layers > 2 * static_cast<int>(most_half_layers))
     add(problems, "numerics.layers", numerics.layers, "so many layers cannot be computed",
-        "take an even number from 4 to 64");
+        "take an even number from 4 to 128");
   if (numerics.steps < 10) add(problems, "numerics.steps", numerics.steps, "too few", "take at least 10");
   if (numerics.most_iterations < 1)
     add(problems, "numerics.most_iterations", numerics.most_iterations, "too few", "take at least 1");

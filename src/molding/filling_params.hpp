@@ -21,6 +21,7 @@ enum class HeatModel {
 struct FillingNumerics {
   int layers = 20;                ///< in the full gap; even (half of them are computed, by symmetry)
   double wall_width_ratio = 0.4;  ///< width of the layer at the wall over that at the mid-plane
+  double middle_width_ratio = 1;  ///< share of its width that the layer at the mid-plane gets
   int steps = 300;                ///< steps to aim at; the first and the last are shorter
   HeatModel heat = HeatModel::full;
   double viscosity_tolerance = 1e-3;    ///< largest relative change of a node's fluidity that ends iterating

@@ -15,7 +15,6 @@ namespace {
 
 /// Fluidity of a frozen node over that of fresh melt at rest: keeps the equations solvable, moves nothing.
 constexpr double frozen_fluidity = 1e-9;
-constexpr std::size_t most_layers = 32;
 /// Shear rate at which fresh melt is rated, 1/s; also the first guess at a gate.
 constexpr double first_rate = 10;
 
@@ -58,7 +57,7 @@ void FlowSolver::wet_nodes(const FillingState& state, FlowField& field) const {
 void FlowSolver::viscosities(const FillingState& state, std::size_t node, std::span<const double> stretching,
                              std::span<double> values) const {
   const std::size_t layers = layers_->count(), begin = node * layers;
-  std::array<double, most_layers> pressure;
+  std::array<double, most_half_layers> pressure;
   std::fill_n(pressure.begin(), layers, state.pressure[node]);
   params_->material.viscosity->evaluate(std::span(state.rate).subspan(begin, layers),
                                         std::span(state.temperature).subspan(begin, layers),
@@ -71,7 +70,7 @@ void FlowSolver::update_node(const FillingState& state, std::span<const double> 
                              FlowField& field) {
   const std::size_t layers = layers_->count(), begin = node * layers;
   const bool heat = params_->numerics.heat == HeatModel::full;
-  std::array<double, most_layers> viscosity;
+  std::array<double, most_half_layers> viscosity;
   viscosities(state, node, stretching, std::span(viscosity).first(layers));
   for (std::size_t k = 0; k < layers; ++k) {
     const bool still = heat && state.temperature[begin + k] < params_->material.no_flow_temperature;

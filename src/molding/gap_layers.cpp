@@ -9,18 +9,21 @@
 
 namespace fiberfate {
 
-GapLayers::GapLayers(int half_count, double wall_width_ratio) {
-  if (half_count < 2 || half_count > 32)
+GapLayers::GapLayers(int half_count, double wall_width_ratio, double middle_width_ratio) {
+  if (half_count < 2 || half_count > static_cast<int>(most_half_layers))
     throw InputError(fmt::format("{} layers in half the gap cannot be computed", half_count),
-                     "take 4 to 64 layers in the full gap, an even number");
+                     "take 4 to 128 layers in the full gap, an even number");
   if (!(wall_width_ratio > 0) || wall_width_ratio > 1)
     throw InputError(fmt::format("a wall layer of {:g} times the width of the middle one", wall_width_ratio),
+                     "take a ratio above 0 and at most 1");
+  if (!(middle_width_ratio > 0) || middle_width_ratio > 1)
+    throw InputError(fmt::format("a middle layer of {:g} times its width", middle_width_ratio),
                      "take a ratio above 0 and at most 1");
   const double factor = std::pow(wall_width_ratio, 1.0 / (half_count - 1));
   double width = 1, sum = 0;
   for (int k = 0; k < half_count; ++k, width *= factor) {
-    widths_.push_back(width);
-    sum += width;
+    widths_.push_back(k == 0 ? middle_width_ratio : width);
+    sum += widths_.back();
   }
   bounds_.push_back(0);
   for (double& w : widths_) {

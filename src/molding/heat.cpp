@@ -6,17 +6,14 @@
 #include <cmath>
 
 #include "molding/gap_flow.hpp"
-#include "molding/sweep.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr std::size_t most_layers = 32;
-
 /// Holds the equations of one node's layers; m(row, column) couples layers that exchange melt or heat.
 struct LayerSystem {
-  std::array<double, most_layers * most_layers> matrix;
-  std::array<double, most_layers> right;
+  std::array<double, most_half_layers * most_half_layers> matrix;
+  std::array<double, most_half_layers> right;
   std::size_t count;
 
   explicit LayerSystem(std::size_t layers) : count(layers) {
@@ -97,7 +94,7 @@ void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const F
   const double wall_resistance = (1 - layers_->middles()[count - 1]) / conduction +
                                  capacity / (area * params_->process.wall_transfer * step.duration);
   system.m(count - 1, count - 1) += 1 / wall_resistance;
-  std::array<double, most_layers> share;
+  std::array<double, most_half_layers> share;
   dissipation_shares(*layers_, std::span(field.inverse_viscosity).subspan(begin, count),
                      std::span(share).first(count));
   for (std::size_t k = 0; k < count; ++k) system.right[k] += dissipated_[node] / capacity * share[k];
@@ -109,13 +106,18 @@ void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const F
     brought_in_[node] += capacity * gate * field.shares[begin + k] * system.right[k];
 }
 
-void HeatTransport::advance(const StepFlow& step, const FlowField& field, FillingState& state) {
+void HeatTransport::begin(const StepFlow& step, const FlowField& field) {
   collect_dissipation(step, field);
   to_mold_.assign(mesh_->node_count(), 0);
   brought_in_.assign(mesh_->node_count(), 0);
-  sweep_down_the_flow(step, [&](std::span<const Index> nodes) {
-    for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), step, field, state);
-  });
+}
+
+void HeatTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+                            FillingState& state) {
+  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), step, field, state);
+}
+
+void HeatTransport::end(FillingState& state) const {
   for (std::size_t i = 0; i < mesh_->node_count(); ++i) {
     state.heat.dissipated += dissipated_[i];
     state.heat.to_mold += to_mold_[i];

@@ -1,6 +1,7 @@
 // Carries heat with the melt, conducts it across the gap, adds what viscous flow makes.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "molding/filling_params.hpp"
@@ -21,8 +22,13 @@ class HeatTransport {
   HeatTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers)
       : mesh_(&mesh), params_(&params), layers_(&layers) {}
 
-  /// Advances the temperatures of `state` and its account of heat.
-  void advance(const StepFlow& step, const FlowField& field, FillingState& state);
+  /// Gets ready for a step, before the sweep down the flow.
+  void begin(const StepFlow& step, const FlowField& field);
+  /// Advances the temperatures of nodes whose upstream neighbours are done.
+  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+               FillingState& state);
+  /// Adds to the account of heat, after the sweep.
+  void end(FillingState& state) const;
 
  private:
   void collect_dissipation(const StepFlow& step, const FlowField& field);

@@ -12,7 +12,7 @@
 namespace fiberfate {
 
 /// Holds L_ij = d v_i / d x_j (1/s) of the layers of one node in its frame, row by row; [component][layer].
-using LayerGradients = std::array<std::array<double, 32>, 9>;
+using LayerGradients = std::array<std::array<double, most_half_layers>, 9>;
 
 /// Finds the gradients: dv/dz from the pressure and the viscosity, d/dx and d/dy by least squares over the
 /// neighbours of the layers' mean velocities, dv_z/dz from continuity. At the front only dv/dz is known.

@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "continuum/length_classes.hpp"
-#include "molding/sweep.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr std::size_t most_layers = 32;
 /// Share of all fibers that a class has at least where a gate lacks it, so that its length stays defined.
 constexpr double least_amount = 1e-12;
 
@@ -26,7 +24,7 @@ bool numbers_differ(const MoldingFibers& fibers) {
 
 /// Holds what the layers of one node do to lengths.
 struct LengthTransport::NodeScratch {
-  std::array<double, most_layers> rate, viscosity, duration;
+  std::array<double, most_half_layers> rate, viscosity, duration;
   std::vector<double> survival;  ///< [set][layer]: exp(-k_f tau) - 1
   std::vector<double> limit;     ///< [set][layer]: L_inf, m
   std::vector<double> sum;       ///< of all fields of a point
@@ -182,35 +180,33 @@ void LengthTransport::advance_node(std::size_t node, const StepFlow& step, const
   const std::size_t count = layers_->count();
   prepare_decay(node, step, field, stretching, state, scratch);
   const auto transfers = step.transfers_of(node, count);
-  std::uint32_t waiting = 0, done = 0;
-  for (std::size_t k = 0; k < count; ++k) waiting |= 1U << k;
+  std::uint64_t waiting = 0, done = 0;
+  for (std::size_t k = 0; k < count; ++k) waiting |= std::uint64_t{1} << k;
   // A layer follows those that it takes melt from; transfers never run in a ring.
   while (waiting != 0) {
     for (std::size_t k = 0; k < count; ++k) {
-      if ((waiting >> k & 1U) == 0) continue;
+      if ((waiting >> k & 1) == 0) continue;
       const bool ready = std::all_of(transfers.begin(), transfers.end(), [&](const LayerTransfer& t) {
-        return t.to != k || (done >> t.from & 1U) != 0;
+        return t.to != k || (done >> t.from & 1) != 0;
       });
       if (!ready) continue;
       mix(node, k, step, field, scratch.sum, state);
       decay(node, k, state, scratch);
-      waiting &= ~(1U << k);
-      done |= 1U << k;
+      waiting &= ~(std::uint64_t{1} << k);
+      done |= std::uint64_t{1} << k;
     }
   }
 }
 
-void LengthTransport::advance(const StepFlow& step, const FlowField& field,
+void LengthTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
                               std::span<const double> stretching, FillingState& state) const {
   if (field_count() == 0) return;
-  sweep_down_the_flow(step, [&](std::span<const Index> nodes) {
-    NodeScratch scratch;
-    scratch.survival.resize(phelps_.size() * layers_->count());
-    scratch.limit.resize(phelps_.size() * layers_->count());
-    scratch.sum.resize(field_count());
-    for (const Index node : nodes)
-      advance_node(static_cast<std::size_t>(node), step, field, stretching, state, scratch);
-  });
+  NodeScratch scratch;
+  scratch.survival.resize(phelps_.size() * layers_->count());
+  scratch.limit.resize(phelps_.size() * layers_->count());
+  scratch.sum.resize(field_count());
+  for (const Index node : nodes)
+    advance_node(static_cast<std::size_t>(node), step, field, stretching, state, scratch);
 }
 
 }  // namespace fiberfate

@@ -38,9 +38,9 @@ class LengthTransport {
   /// Tells the lengths of the bins of a set of Phelps' law, m; none for others.
   [[nodiscard]] std::span<const double> bin_lengths(std::size_t set) const { return bin_lengths_[set]; }
 
-  /// Advances the lengths of `state`.
-  void advance(const StepFlow& step, const FlowField& field, std::span<const double> stretching,
-               FillingState& state) const;
+  /// Advances the lengths of nodes whose upstream neighbours are done.
+  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+               std::span<const double> stretching, FillingState& state) const;
 
  private:
   struct NodeScratch;

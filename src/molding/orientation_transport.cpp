@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exception>
 
 #include "microstructure/tensor.hpp"
 #include "molding/layer_gradients.hpp"
-#include "molding/sweep.hpp"
 
 namespace fiberfate {
 namespace {
@@ -154,34 +152,22 @@ void OrientationTransport::turn_and_store(double duration, Batch& batch, Filling
     for (std::size_t m = 0; m < 6; ++m) state.orientation[m][batch.points[p]] = batch.second[m][p];
 }
 
-void OrientationTransport::advance(const StepFlow& step, const FlowField& field, FillingState& state) const {
+void OrientationTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+                                   FillingState& state) const {
   if (!law_) return;
-  std::exception_ptr failure;
-  const auto turn = [&](std::span<const Index> nodes) {
-    Batch batch;
-    batch.of_node.resize(nodes.size());
-    bool fountain = false;
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto node = static_cast<std::size_t>(nodes[n]);
-      find_layer_gradients(*mesh_, *layers_, field, step, node, batch.of_node[n]);
-      fountain = fountain || step.at_front[node] != 0;
-    }
-    load(nodes, false, step, field, state, batch);
-    turn_and_store(step.duration, batch, state);
-    if (!fountain) return;
-    load(nodes, true, step, field, state, batch);
-    turn_and_store(step.duration, batch, state);
-  };
-  sweep_down_the_flow(step, [&](std::span<const Index> nodes) {
-    try {
-      turn(nodes);
-    } catch (const std::exception&) {
-      // Exceptions must not leave a thread; any one of them tells what went wrong.
-#pragma omp critical
-      failure = std::current_exception();
-    }
-  });
-  if (failure) std::rethrow_exception(failure);
+  Batch batch;
+  batch.of_node.resize(nodes.size());
+  bool fountain = false;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const auto node = static_cast<std::size_t>(nodes[n]);
+    find_layer_gradients(*mesh_, *layers_, field, step, node, batch.of_node[n]);
+    fountain = fountain || step.at_front[node] != 0;
+  }
+  load(nodes, false, step, field, state, batch);
+  turn_and_store(step.duration, batch, state);
+  if (!fountain) return;
+  load(nodes, true, step, field, state, batch);
+  turn_and_store(step.duration, batch, state);
 }
 
 }  // namespace fiberfate

@@ -23,8 +23,9 @@ class OrientationTransport {
  public:
   OrientationTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers);
 
-  /// Advances the orientation of `state`.
-  void advance(const StepFlow& step, const FlowField& field, FillingState& state) const;
+  /// Advances the orientation of nodes whose upstream neighbours are done.
+  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+               FillingState& state) const;
 
  private:
   struct Batch;

@@ -10,8 +10,7 @@
 namespace fiberfate {
 namespace {
 
-constexpr std::size_t most_layers = 32;
-using LayerVolumes = std::array<double, most_layers>;
+using LayerVolumes = std::array<double, most_half_layers>;
 
 /// Matches the surplus of layers from the mid-plane outwards with the deficit of layers from the wall
 /// inwards.

@@ -13,14 +13,21 @@
 
 namespace fiberfate {
 
+/// Tells in how many nodes a level is parted: an even number of parts that keeps two threads busy in small
+/// levels, of at most 16 nodes in large ones. The same for any number of threads.
+[[nodiscard]] inline std::size_t nodes_of_a_part(std::size_t nodes_of_the_level) {
+  constexpr std::size_t most = 16;
+  const std::size_t parts = 2 * ((nodes_of_the_level + 2 * most - 1) / (2 * most));
+  return (nodes_of_the_level + parts - 1) / parts;
+}
+
 /// Calls body(nodes) for parts of each level in turn, on all threads: what a node takes from upstream is
-/// final. The parts are the same for any number of threads. `body` must not throw.
+/// final. `body` must not throw.
 ///
 /// Threads take parts in order and wait only until the level before is complete. There is no barrier: levels
 /// are many and small, and a thread that has lost its processor must not stop the others.
 template <class Body>
 void sweep_down_the_flow(const StepFlow& step, const Body& body) {
-  constexpr std::size_t nodes_of_a_part = 16;
   struct Part {
     std::span<const Index> nodes;
     std::size_t before;  ///< parts of the levels before
@@ -28,8 +35,9 @@ void sweep_down_the_flow(const StepFlow& step, const Body& body) {
   std::vector<Part> parts;
   for (std::size_t level = 0; level + 1 < step.level_begin.size(); ++level) {
     const std::size_t before = parts.size(), end = step.level_begin[level + 1];
-    for (std::size_t first = step.level_begin[level]; first < end; first += nodes_of_a_part)
-      parts.push_back({std::span(step.order).subspan(first, std::min(nodes_of_a_part, end - first)), before});
+    const std::size_t size = nodes_of_a_part(end - step.level_begin[level]);
+    for (std::size_t first = step.level_begin[level]; first < end; first += size)
+      parts.push_back({std::span(step.order).subspan(first, std::min(size, end - first)), before});
   }
   std::atomic<std::size_t> taken = 0, done = 0;
 #pragma omp parallel

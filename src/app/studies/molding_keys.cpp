@@ -146,9 +146,13 @@ void describe_numerics(KeyTable& table, FillingNumerics& numerics) {
   table.section("numerics", "How finely to compute.");
   table.count("numerics.layers", numerics.layers,
               {.text = "Layers in the full gap, even; half of them are computed, by symmetry.",
-               .range = Range::between(4, 64)});
+               .range = Range::between(4, 128)});
   table.quantity("numerics.wall_width_ratio", numerics.wall_width_ratio,
                  {.text = "Width of the layer at the wall over that at the mid-plane.",
+                  .range = Range{0, 1, Range::Ends::open_low}});
+  table.quantity("numerics.middle_width_ratio", numerics.middle_width_ratio,
+                 {.text = "Share of its width that the layer at the mid-plane gets; 0.25 lets it show the "
+                          "mid-plane itself (docs/theory/molding.md).",
                   .range = Range{0, 1, Range::Ends::open_low}});
   table.count("numerics.steps", numerics.steps,
               {.text = "Steps to aim at.", .range = Range::between(10, 100000)});

@@ -72,6 +72,23 @@ TEST(ThermalPlaque, LengthRisesTowardsTheEndAndTheShellIsAligned) {
   EXPECT_LT(filling.orientation(node, 0)(0, 0), filling.orientation(node, layers / 2)(0, 0) - 0.1);
 }
 
+/// At the mid-plane nothing is sheared: fibers come through a plaque as they came in, isotropic here. A layer
+/// shows the orientation of its own height, which is sheared the more the thicker it is.
+TEST(ThermalPlaque, AThinMiddleLayerShowsTheMidPlane) {
+  FillingParams params = plaque_params();
+  params.fibers.orientation = iard_rpr(0);
+  double along_flow[2];
+  for (const bool thin : {false, true}) {
+    params.numerics.middle_width_ratio = thin ? 0.1 : 1;
+    Filling filling{ShellMesh(rectangle({0.305, width, 0.002, 21, 7})), params};
+    fill(filling);
+    along_flow[thin ? 1 : 0] = filling.orientation(filling.mesh().nearest_node({0.2, width / 2, 0}), 0)(0, 0);
+  }
+  EXPECT_GT(along_flow[0], 1.0 / 3 + 0.1);
+  // The melt next to the gate is stretched a little in the surface.
+  EXPECT_NEAR(along_flow[1], 1.0 / 3, 0.015);
+}
+
 /// RPR's second constant is a time and keeps the batch from one common duration: the way around gives the
 /// same where the constant is next to nothing.
 TEST(ThermalPlaque, RetardationWithATimeConstantIsContinuousAtZero) {

@@ -49,7 +49,7 @@ TEST(FillingParamsChecks, FaultsAreListedTogether) {
             "material.density = -1: it is not positive: give a number above zero\n"
             "gate gate.position = 0.1: so many metres lie between it and the part: move it onto the middle "
             "surface of the part\n"
-            "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 64");
+            "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 128");
 }
 
 TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {

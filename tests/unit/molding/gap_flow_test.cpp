@@ -20,8 +20,19 @@ TEST(GapLayers, GrowFinerTowardsTheWall) {
   EXPECT_NEAR(layers.widths().back() / layers.widths().front(), 0.4, 1e-14);
   EXPECT_NEAR(std::accumulate(layers.widths().begin(), layers.widths().end(), 0.0), 1, 1e-14);
   EXPECT_THROW(GapLayers(1, 0.4), InputError);
-  EXPECT_THROW(GapLayers(33, 0.4), InputError);
+  EXPECT_THROW(GapLayers(65, 0.4), InputError);
   EXPECT_THROW(GapLayers(10, 0), InputError);
+}
+
+TEST(GapLayers, TheMiddleOneMayBeThinner) {
+  const GapLayers plain(10, 0.4), thin(10, 0.4, 0.25);
+  EXPECT_NEAR(thin.widths()[0] / thin.widths()[1], 0.25 * plain.widths()[0] / plain.widths()[1], 1e-14);
+  for (std::size_t k = 2; k < 10; ++k)
+    EXPECT_NEAR(thin.widths()[k] / thin.widths()[1], plain.widths()[k] / plain.widths()[1], 1e-14);
+  EXPECT_EQ(thin.bounds().back(), 1);
+  EXPECT_NEAR(std::accumulate(thin.widths().begin(), thin.widths().end(), 0.0), 1, 1e-14);
+  EXPECT_THROW(GapLayers(10, 0.4, 0), InputError);
+  EXPECT_THROW(GapLayers(10, 0.4, 1.5), InputError);
 }
 
 /// One viscosity: s = 1/(3 eta), v ~ 1 - zeta².
