@@ -1,6 +1,7 @@
 // Visits nodes down the flow, a level at a time.
 #pragma once
 
+#include <immintrin.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -25,13 +26,16 @@ namespace fiberfate {
 /// final. `body` must not throw.
 ///
 /// Threads take parts in order and wait only until the level before is complete. There is no barrier: levels
-/// are many and small, and a thread that has lost its processor must not stop the others.
+/// are many and small, and a thread that has lost its processor must not stop the others. A thread that waits
+/// looks again for as long as a part takes before it offers its processor to other programs, from which it
+/// would get it back a thousand times later.
 template <class Body>
 void sweep_down_the_flow(const StepFlow& step, const Body& body) {
   struct Part {
     std::span<const Index> nodes;
     std::size_t before;  ///< parts of the levels before
   };
+  constexpr int looks_before_yielding = 2000;  // some 50 µs
   std::vector<Part> parts;
   for (std::size_t level = 0; level + 1 < step.level_begin.size(); ++level) {
     const std::size_t before = parts.size(), end = step.level_begin[level + 1];
@@ -43,7 +47,12 @@ void sweep_down_the_flow(const StepFlow& step, const Body& body) {
 #pragma omp parallel
   {
     for (std::size_t p = taken++; p < parts.size(); p = taken++) {
-      while (done.load(std::memory_order_acquire) < parts[p].before) std::this_thread::yield();
+      for (int looks = 0; done.load(std::memory_order_acquire) < parts[p].before; ++looks) {
+        if (looks < looks_before_yielding)
+          _mm_pause();
+        else
+          std::this_thread::yield();
+      }
       body(parts[p].nodes);
       done.fetch_add(1, std::memory_order_acq_rel);
     }
