@@ -197,6 +197,7 @@ void Filling::Parts::conclude() {
   state.filled_volume = 0;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) state.filled_volume += mesh.volume(i) * state.filled[i];
   state.stop_reason = reason_to_stop(params, mesh, state, field);
+  if (state.stop_reason == FillingEnd::filled) mark_last(state);
 }
 
 Filling::Filling(ShellMesh mesh, FillingParams params)

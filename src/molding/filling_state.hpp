@@ -61,7 +61,8 @@ struct HeatAccount {
   double to_mold = 0;     ///< through the walls
 };
 
-/// Marks nodes where the front did more than pass.
+/// Marks nodes where the front did more than pass. The last node of a full cavity, an air trap or not, is
+/// marked as such only.
 enum class NodeMark : std::uint8_t { none, weld_line, air_trap, last_filled };
 
 /// Holds everything that changes. Arrays by node have n elements; by point n·layers (layers of half the gap,

@@ -128,4 +128,9 @@ void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state
   }
 }
 
+void mark_last(FillingState& state) {
+  const auto last = std::max_element(state.fill_time.begin(), state.fill_time.end());
+  state.mark[static_cast<std::size_t>(last - state.fill_time.begin())] = NodeMark::last_filled;
+}
+
 }  // namespace fiberfate

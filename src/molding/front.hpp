@@ -23,4 +23,7 @@ void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowFi
 /// degrees apart, air traps where all neighbours were full before.
 void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state);
 
+/// Marks the node that the melt reached last, in a cavity that is full.
+void mark_last(FillingState& state);
+
 }  // namespace fiberfate

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -17,6 +18,9 @@ constexpr std::size_t most_listed = 5;
 
 /// Twice the area over the square of the longest edge below which a triangle has no usable angles.
 constexpr double least_shape = 1e-6;
+
+/// Share of the shortest edge within which two nodes of rims lie at the same place.
+constexpr double seam_share = 1e-3;
 
 class FaultList {
  public:
@@ -128,6 +132,50 @@ void check_edges(const Shell& shell, FaultList& faults) {
   }
 }
 
+/// Finds nodes that lie at the same place on two rims: a seam that melt cannot cross. Rims are looked at
+/// along a direction in which few nodes stand level.
+void check_seams(const Shell& shell, const std::vector<int>& rim_edges, FaultList& faults) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& corner : shell.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      shortest = std::min(shortest, (shell.nodes[static_cast<std::size_t>(corner[k])] -
+                                     shell.nodes[static_cast<std::size_t>(corner[(k + 1) % 3])])
+                                        .norm());
+  const double reach = seam_share * shortest;
+  const Vec3 direction = Vec3(1, 0.6180, 0.4142).normalized();
+  std::vector<std::pair<double, std::size_t>> rim;
+  for (std::size_t i = 0; i < shell.nodes.size(); ++i)
+    if (rim_edges[i] > 0) rim.emplace_back(direction.dot(shell.nodes[i]), i);
+  std::sort(rim.begin(), rim.end());
+  for (std::size_t i = 0; i < rim.size(); ++i)
+    for (std::size_t j = i + 1; j < rim.size() && rim[j].first - rim[i].first <= reach; ++j)
+      if ((shell.nodes[rim[i].second] - shell.nodes[rim[j].second]).norm() <= reach)
+        faults.add("open seams",
+                   fmt::format("nodes {} and {} both lie at {}: the surface is open between them",
+                               std::min(rim[i].second, rim[j].second), std::max(rim[i].second, rim[j].second),
+                               place(shell.nodes[rim[i].second])),
+                   "merge nodes that coincide, so that triangles on both sides share them");
+}
+
+/// Checks the rims of the surface.
+void check_rims(const Shell& shell, FaultList& faults) {
+  const std::vector<HalfEdge> all = half_edges(shell);
+  std::vector<int> rim_edges(shell.nodes.size(), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto same = [&](std::size_t j) { return all[j].low == all[i].low && all[j].high == all[i].high; };
+    if ((i > 0 && same(i - 1)) || (i + 1 < all.size() && same(i + 1))) continue;
+    ++rim_edges[static_cast<std::size_t>(all[i].low)];
+    ++rim_edges[static_cast<std::size_t>(all[i].high)];
+  }
+  check_seams(shell, rim_edges, faults);  // which also leave points where surfaces touch
+  for (std::size_t i = 0; i < shell.nodes.size() && shell.junctions == Junctions::refused; ++i)
+    if (rim_edges[i] > 2)
+      faults.add(
+          "points where surfaces touch",
+          fmt::format("parts of the surface touch in nothing but node {} at {}", i, place(shell.nodes[i])),
+          "join them along edges, or part them");
+}
+
 void check_connection(const Shell& shell, FaultList& faults) {
   std::vector<std::size_t> root(shell.nodes.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -163,6 +211,7 @@ void check_shell(const Shell& shell) {
   FaultList faults;
   check_triangles(shell, faults);
   check_edges(shell, faults);
+  check_rims(shell, faults);
   check_connection(shell, faults);
   faults.raise();
 }

@@ -25,7 +25,8 @@ struct Shell {
 
 /// Checks a shell. Raises InputError that lists the faults with the triangle or node, its place and the
 /// remedy: missing or unused nodes, degenerate triangles, thickness that is not positive, edges of more than
-/// two triangles, neighbours that are turned the other way, a part in several pieces.
+/// two triangles, neighbours that are turned the other way, open seams (nodes that coincide but are not
+/// shared), surfaces that touch in a point, a part in several pieces.
 void check_shell(const Shell& shell);
 
 /// Joins two nodes; `first` < `second`.

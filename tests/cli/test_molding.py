@@ -36,6 +36,7 @@ def test_the_pressure_of_a_strip_is_exact(tmp_path):
     fill(tmp_path / "r", "35_strip")
     filled, pressure = column(tmp_path / "r", "filled_fraction"), column(tmp_path / "r", "sprue_pressure_Pa")
     exact = [12 * 100 * 8e-6 * (0.2 * share) / (0.02 * 0.002**3) for share in filled]
+    assert summary(tmp_path / "r")["last_filled_x_m"] == pytest.approx(0.2, abs=1e-9)
     # Front and mesh: 80 cells along the strip, the tolerance that the solver's own tests state.
     errors = [found - wanted for found, wanted, share in zip(pressure, exact, filled) if 0.1 < share < 0.98]
     assert math.sqrt(sum(error**2 for error in errors) / len(errors)) < 2.5e-3 * exact[-1]
@@ -344,6 +345,9 @@ CORNERS = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0)]
     (CORNERS + [(5, 5, 9)], [(1, 2, 3), (3, 4, 1), (1, 3, 5)], "belongs to 3 triangles"),
     (CORNERS + [(50, 0, 0), (60, 0, 0), (60, 9, 0)], [(1, 2, 3), (1, 3, 4), (5, 6, 7)], "hangs on nothing"),
     (CORNERS + [(5, 5, 0)], [(1, 2, 3), (1, 3, 4), (1, 5, 3)], "degenerate"),
+    (CORNERS + [(10, 0, 0), (20, 0, 0), (20, 10, 0)], [(1, 2, 3), (1, 3, 4), (5, 6, 7), (5, 7, 3)],
+     "nodes 1 and 4 both lie at (0.01, 0, 0) m: the surface is open between them"),
+    (CORNERS + [(20, 10, 0), (20, 20, 0)], [(1, 2, 3), (1, 3, 4), (3, 5, 6)], "touch in nothing but node 2"),
     ([(0, 0, 0), (9, 0, 0), (0, 9, 0), (0, 0, 9)], [(1, 3, 2), (1, 2, 4), (2, 3, 4), (3, 1, 4)], "skin of a solid")])
 def test_faults_of_a_mesh_are_named(tmp_path, points, triangles, message):
     (tmp_path / "part.msh").write_text(mesh(points, triangles), encoding="utf-8")

@@ -254,6 +254,10 @@ void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSu
   own.emplace_back("heat_error", (supplied - state.heat.to_mold - filling.stored_heat()) / supplied);
   own.emplace_back("weld_line_nodes", count_marks(state, NodeMark::weld_line));
   own.emplace_back("air_traps", count_marks(state, NodeMark::air_trap));
+  const auto last = std::find(state.mark.begin(), state.mark.end(), NodeMark::last_filled);
+  for (int axis = 0; axis < 3 && last != state.mark.end(); ++axis)
+    own.emplace_back(fmt::format("last_filled_{}_m", "xyz"[axis]),
+                     filling.mesh().shell().nodes[static_cast<std::size_t>(last - state.mark.begin())][axis]);
   add_events(filling, summary);
   for (std::size_t phase = 0; phase < filling_phase_count; ++phase)
     own.emplace_back(std::string("filling_") + filling_phase_names[phase] + "_s",

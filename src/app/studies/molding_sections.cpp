@@ -88,9 +88,12 @@ void add_marks(const MoldingCase& values, const ResultFolder& folder, ShellSecti
           weld.segments.push_back(static_cast<float>(last.shell.nodes[static_cast<std::size_t>(node)][axis]));
     }
   if (!weld.segments.empty()) section.lines.push_back(std::move(weld));
-  for (std::size_t i = 0; i < last.state.mark.size(); ++i)
+  for (std::size_t i = 0; i < last.state.mark.size(); ++i) {
     if (last.state.mark[i] == NodeMark::air_trap)
       section.places.push_back({"", PlaceMark::trap, last.shell.nodes[i]});
+    if (last.state.mark[i] == NodeMark::last_filled)
+      section.places.push_back({"last filled", PlaceMark::place, last.shell.nodes[i]});
+  }
 }
 
 /// Picks the values of a column in the rows of a place.

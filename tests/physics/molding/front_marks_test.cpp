@@ -32,15 +32,21 @@ TEST(FrontMarks, FrontsThatMeetLeaveAWeldLine) {
 /// A front that runs along a strip leaves no weld line; its times rise with x.
 TEST(FrontMarks, APlaneFrontLeavesNoWeldLine) {
   const Rectangle r{0.08, 0.01, 0.002, 40, 4};
+  int last = 0;
   Filling filling{ShellMesh(rectangle(r)), newtonian(1e-6, film_gate({0, 0, 0}, {0, r.width, 0}))};
   while (!filling.finished()) filling.advance();
   for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
     const double x = filling.mesh().shell().nodes[i][0];
     EXPECT_NE(filling.state().mark[i], NodeMark::weld_line);
+    if (filling.state().mark[i] == NodeMark::last_filled) {
+      EXPECT_NEAR(x, r.length, 1e-12);
+      ++last;
+    }
     // A control volume at the end is half filled at a quarter of a cell from the end.
     const double middle = std::clamp(x, 0.0005, 0.0795);
     EXPECT_NEAR(filling.state().fill_time[i], middle * r.width * r.thickness / 1e-6, 0.01);
   }
+  EXPECT_EQ(last, 1);
 }
 
 /// A slow thin window in a thick frame fills last, from all sides: the air in it is trapped.

@@ -64,6 +64,33 @@ TEST(ShellChecks, PiecesMustHangTogether) {
   EXPECT_NE(complaint(shell).find("hangs on nothing"), std::string::npos);
 }
 
+/// Two strips that lie edge to edge hang together by one node of the edge; at the others the mesh is open.
+TEST(ShellChecks, SeamsMustBeClosed) {
+  Shell shell = square();
+  shell.nodes.push_back({1 + 1e-9, 0, 0});  // where node 1 is
+  for (const double y : {0.0, 1.0}) shell.nodes.push_back({2, y, 0});
+  shell.triangles.push_back({4, 5, 6});
+  shell.triangles.push_back({4, 6, 2});
+  shell.thickness.assign(4, 0.002);
+  EXPECT_NE(complaint(shell).find("nodes 1 and 4 both lie at (1, 0, 0) m: the surface is open between them: "
+                                  "merge nodes that coincide"),
+            std::string::npos);
+  shell.triangles[2] = {1, 5, 6};
+  shell.triangles[3] = {1, 6, 2};
+  shell.nodes.erase(shell.nodes.begin() + 4);
+  for (auto& triangle : shell.triangles)
+    for (Index& node : triangle) node -= node > 4 ? 1 : 0;
+  EXPECT_EQ(complaint(shell), "");
+}
+
+TEST(ShellChecks, SurfacesMustNotTouchInAPoint) {
+  Shell shell = square();
+  for (const Vec3& node : {Vec3(2, 1, 0), Vec3(2, 2, 0)}) shell.nodes.push_back(node);
+  shell.triangles.push_back({2, 4, 5});
+  shell.thickness.assign(3, 0.002);
+  EXPECT_NE(complaint(shell).find("touch in nothing but node 2 at (1, 1, 0) m"), std::string::npos);
+}
+
 TEST(ShellChecks, JunctionsAreRefusedUnlessAllowed) {
   Shell shell = square();
   shell.nodes.push_back({0.5, 0.5, 1});
