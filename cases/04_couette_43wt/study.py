@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 import numpy as np
+from figures import draw
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
@@ -132,8 +133,7 @@ def main():
         groups = {name: groups[name] for name in arguments.only}
     make_all([run for runs in groups.values() for run in runs.values()], arguments.program, arguments.jobs)
     tabulate(groups)
-    import figures  # noqa: E402  (matplotlib only where there is something to draw)
-    figures.draw(HERE)
+    draw(HERE)
 
 
 if __name__ == "__main__":

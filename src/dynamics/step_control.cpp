@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fibers/neighbour_list.hpp"
 
@@ -15,10 +16,12 @@ constexpr double least_factor = 0.3;  // a step shrinks at most to this
 constexpr double most_factor = 1.25;  // a step grows at most to this
 constexpr double event_slack = 1e-9;  // relative round-off of times
 
-double factor(const StepParameters& parameters, double error) {
-  if (!std::isfinite(error)) return least_factor;
-  if (error <= 0) return most_factor;
-  return std::clamp(safety * std::sqrt(parameters.tolerance / error), least_factor, most_factor);
+/// Tells by how much a step would have to change for its error to be the tolerance: the error of a step is of
+/// second order in its size.
+double unbounded_factor(const StepParameters& parameters, double error) {
+  if (!std::isfinite(error)) return 0;
+  if (error <= 0) return std::numeric_limits<double>::infinity();
+  return safety * std::sqrt(parameters.tolerance / error);
 }
 
 }  // namespace
@@ -46,16 +49,19 @@ bool is_acceptable(const StepParameters& parameters, double error) {
 }
 
 double shrunk_step(const StepParameters& parameters, double step, double error) {
-  return step * std::min(factor(parameters, error), 0.7);
+  return step * std::clamp(unbounded_factor(parameters, error), least_factor, 0.7);
 }
 
 double next_proposal(const StepParameters& parameters, const StepChoice& accepted, double proposal,
                      double error) {
   if (parameters.control == StepControl::fixed) return parameters.initial;
-  const double wanted = accepted.size * factor(parameters, error);
-  // A step that an event cut short says nothing against the longer one that was proposed.
-  const double next = accepted.limit == StepLimit::event ? std::max(wanted, proposal) : wanted;
-  return std::clamp(next, parameters.minimum, parameters.maximum);
+  const double wanted = accepted.size * unbounded_factor(parameters, error);
+  const bool says_nothing = accepted.limit == StepLimit::event;  // a step that an event cut short
+  // Steps before an event are cut to equal parts: growth is bounded by what was proposed, not by the part, or
+  // a proposal could never pass from four parts to three.
+  const double begin = says_nothing ? accepted.size : std::max(proposal, accepted.size);
+  const double next = std::clamp(wanted, least_factor * accepted.size, most_factor * begin);
+  return std::clamp(says_nothing ? std::max(next, proposal) : next, parameters.minimum, parameters.maximum);
 }
 
 const char* name(StepLimit limit) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <limits>
 
 namespace fiberfate {
@@ -69,6 +71,30 @@ TEST(StepSize, FollowsTheErrorsSquareRoot) {
 TEST(StepSize, IsNotForgottenWhenAnEventCutsAStepShort) {
   const StepParameters parameters;
   EXPECT_EQ(next_proposal(parameters, {1e-7, StepLimit::event}, 1e-4, 0), 1e-4);
+}
+
+// Between checks every millisecond steps are cut to equal parts; the longest part whose error is tolerable
+// must be found, and not the one at which growth happened to arrive.
+TEST(StepSize, GrowsPastThePartsThatEventsCut) {
+  StepParameters parameters;
+  parameters.maximum = 1;
+  const auto settled = [&](double tolerable) {
+    StepChoice choice;
+    double proposal = 1e-5;
+    double now = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const double event = 1e-3 * std::floor(now * 1e3 + 1 + 1e-6);
+      choice = propose_step(parameters, proposal, rest, event - now);
+      proposal = next_proposal(parameters, choice, proposal,
+                               parameters.tolerance * std::pow(choice.size / tolerable, 2));
+      now += choice.size;
+    }
+    return choice.size;
+  };
+  EXPECT_NEAR(settled(4e-4), 1e-3 / 3, 1e-9);
+  EXPECT_NEAR(settled(6e-4), 1e-3 / 2, 1e-9);
+  EXPECT_NEAR(settled(3e-4), 1e-3 / 4, 1e-9);
+  EXPECT_NEAR(settled(2e-3), 1e-3, 1e-9);
 }
 
 TEST(StepSize, StaysBetweenItsBounds) {
