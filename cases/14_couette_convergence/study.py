@@ -10,6 +10,7 @@ there already is not run again. The reference (a fixed step of 10 us) takes most
 import argparse
 import csv
 import pathlib
+import re
 import statistics
 import sys
 
@@ -45,7 +46,7 @@ ASSUMPTIONS = {
 
 
 def run_of(arguments, name, overrides, seed):
-    folder = arguments.out / f"{'_'.join(name.replace(',', '').replace(':', '').split())}_{seed}"
+    folder = arguments.out / f"{re.sub('[^a-zA-Z0-9.]+', '_', name)}_{seed}"
     return Run(CASE, folder, {**overrides, "run.seed": seed})
 
 
