@@ -35,14 +35,18 @@ std::unique_ptr<ViscosityLaw> law_of(const Formula& formula) {
 }
 
 std::vector<ViscosityLawEntry> make_entries() {
-  const LawParameter eta_0 = {"eta_0", "Pa s", "Viscosity at rest", unknown};
+  constexpr double least = 1e-9;  // zero would make the melt weigh nothing
+  const LawParameter eta_0 = {"eta_0", "Pa s", "Viscosity at rest", unknown, least};
   const LawParameter index = {"n", "1", "Power-law index", unknown, 0, 2};
-  const LawParameter critical_stress = {"tau", "Pa", "Stress at which shear thinning is half way", unknown};
+  // Above 1 the viscosity of Cross' law would vanish at rest.
+  const LawParameter thinning_index = {"n", "1", "Power-law index", unknown, 0, 1};
+  const LawParameter critical_stress = {"tau", "Pa", "Stress at which shear thinning is half way", unknown,
+                                        least};
   return {
       {"newtonian", "eta = eta_0", {eta_0}, [](Values v) { return law_of(Newtonian{v[0]}); }},
       {"power_law",
        "eta = K rate^(n-1), constant below the lowest rate",
-       {{"K", "1", "Consistency, in Pa s^n", unknown},
+       {{"K", "1", "Consistency, in Pa s^n", unknown, least},
         index,
         {"lowest_rate", "1/s", "Rate below which the viscosity no longer rises", 1e-3}},
        [](Values v) {
@@ -60,19 +64,19 @@ std::vector<ViscosityLawEntry> make_entries() {
        }},
       {"cross",
        "eta = eta_0/(1 + (eta_0 rate/tau)^(1-n))",
-       {eta_0, critical_stress, index},
+       {eta_0, critical_stress, thinning_index},
        [](Values v) {
          return law_of(Cross{v[0], v[1], v[2]});
        }},
       {"cross_wlf",
        "Cross, with eta_0 = D1 exp(-A1 (T - Ts)/(A2 + T - Ts)), Ts = D2 + D3 p, A2 = A2s + D3 p",
        {critical_stress,
-        index,
-        {"D1", "Pa s", "Viscosity at the reference temperature", unknown},
+        thinning_index,
+        {"D1", "Pa s", "Viscosity at the reference temperature", unknown, least},
         {"D2", "K", "Reference temperature without pressure", unknown},
         {"D3", "K/Pa", "Rise of the reference temperature with pressure", 0.0},
         {"A1", "1", "First constant of the WLF shift", unknown},
-        {"A2s", "K", "Second constant of the WLF shift", 51.6}},
+        {"A2s", "K", "Second constant of the WLF shift", 51.6, least}},
        [](Values v) {
          return law_of(CrossWlf{v[0], v[1], v[2], v[3], v[4], v[5], v[6]});
        }},

@@ -17,6 +17,9 @@ namespace {
 
 using Problems = std::vector<InputProblem>;
 
+/// Shear rate at which a melt must have a viscosity, 1/s.
+constexpr double usual_rate = 10;
+
 void add(Problems& problems, std::string key, double value, std::string complaint, std::string remedy) {
   problems.push_back(
       {"", 0, 0, std::move(key), fmt::format("{:g}", value), std::move(complaint), std::move(remedy)});
@@ -37,6 +40,11 @@ void check_material(const FillingParams& params, Problems& problems) {
   const double inlet = params.process.inlet_temperature;
   require_positive(problems, "process.inlet_temperature", inlet);
   require_positive(problems, "process.mold_temperature", params.process.mold_temperature);
+  const double at_gates = m.viscosity ? m.viscosity->at({usual_rate, inlet, 0}) : 1;
+  if (!(at_gates > 0) || !std::isfinite(at_gates))
+    add(problems, "material.viscosity", at_gates,
+        fmt::format("so many Pa s has the melt at {:g} 1/s and {:g} K", usual_rate, inlet),
+        "check the constants of the viscosity law and the temperature of the melt");
   if (m.no_flow_temperature >= inlet)
     add(problems, "material.no_flow_temperature", m.no_flow_temperature,
         fmt::format("the melt comes in at {:g} K and stands still", inlet),

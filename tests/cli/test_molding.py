@@ -306,6 +306,10 @@ def test_xi_is_recovered_from_noisy_lengths(tmp_path):
     (["material.density=-1"], "material.density"),
     (["material.preset=ppgf31"], 'did you mean "ppgf30"?'),
     (["material.no_flow_temperature=530 K"], "stands still"),
+    (["melt.n=1.5"], "melt.n = 1.5: out of range: give 0 to 1"),
+    (["melt.D1=0 Pa s"], "melt.D1"),
+    (["material.conductivity=-0.2"], "material.conductivity = -0.2: out of range"),
+    (["machine.melt_temperature=150 K"], "machine.melt_temperature"),
     (["machine.mold_temperature=600 K"], "not less than machine.melt_temperature"),
     (["machine.flow_rate=1 cm^3/s"], "the flow is given in more than one way"),
     (["fibers.volume_fraction=1.5"], "fibers.volume_fraction"),
@@ -358,6 +362,19 @@ def test_faults_of_a_mesh_are_named(tmp_path, points, triangles, message):
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     done = run("run", tmp_path / "case.toml", "--out", tmp_path / "r", expect=2)
     assert message in done.stderr
+
+
+def test_a_mesh_of_obtuse_triangles_is_warned_of(tmp_path):
+    points = [(5 * i + 12 * j, 5 * j, 0) for j in range(5) for i in range(9)]
+    triangles = [(j * 9 + i + 1, j * 9 + i + 2, j * 9 + i + 11) for j in range(4) for i in range(8)]
+    triangles += [(j * 9 + i + 1, j * 9 + i + 11, j * 9 + i + 10) for j in range(4) for i in range(8)]
+    (tmp_path / "part.msh").write_text(mesh(points, triangles), encoding="utf-8")
+    text = (CASES / "36_disc" / "case.toml").read_text(encoding="utf-8")
+    part = '[part]\nkind = "file"\nfile = "part.msh"\nthickness = "2 mm"\n\n[gates]\nplaces = [["G1", "40 mm", "10 mm", "0 mm"]]\nradius = "3 mm"\n'
+    (tmp_path / "case.toml").write_text(re.sub(r"\[part\].*?(?=\[material\])", part + "\n", text, flags=re.S), encoding="utf-8")
+    done = run("check", tmp_path / "case.toml")
+    assert "lie between obtuse triangles and conduct nothing" in done.stderr
+    assert "obtuse" not in run("check", CASES / "30_plaque" / "case.toml").stderr
 
 
 def test_a_mesh_from_a_file_fills(tmp_path):

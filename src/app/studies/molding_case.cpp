@@ -13,6 +13,9 @@
 namespace fiberfate {
 namespace {
 
+/// Share of edges that may lie between obtuse triangles without a word.
+constexpr double most_obtuse = 0.02;
+
 /// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
 constexpr double heat_cost = 0.25, orientation_cost = 0.9, length_cost = 0.02;
 
@@ -91,6 +94,7 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
 std::string key_of(const std::string& fault) {
   if (fault.starts_with("gates.") || fault.starts_with("part.") || fault.starts_with("material."))
     return fault;
+  if (fault == "material.viscosity") return "melt.name";
   if (fault.starts_with("sensor ")) return "gates.sensors";
   if (fault.starts_with("gate ") && fault.ends_with(".events")) return "gates.valves";
   if (fault.starts_with("gate ") && fault.ends_with(".resistance")) return "gates.resistance";
@@ -103,12 +107,29 @@ std::string key_of(const std::string& fault) {
   return fault.starts_with("fibers") || fault.starts_with("length") ? "fibers.length" : "part.kind";
 }
 
+/// Tells which share of the edges lies between triangles so obtuse that it conducts nothing.
+double obtuse_share(const ShellMesh& mesh) {
+  constexpr double round_off = 1e-9;
+  std::vector<double> weights(mesh.edges().size(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      weights[static_cast<std::size_t>(mesh.edges_of(t)[k])] += mesh.half_cotangents(t)[k];
+  const auto obtuse =
+      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight < -round_off; });
+  return static_cast<double>(obtuse) / static_cast<double>(weights.size());
+}
+
 /// Meshes the part and lets the solver check what it will be given.
 void validate_filling(const MoldingCase& values, CaseChecker& checker) {
   try {
     const MoldingSetup setup = molding_setup(values);
     const ShellMesh mesh(setup.part.shell);
     check_params(setup.params, mesh);
+    if (obtuse_share(mesh) > most_obtuse)
+      checker.warn(values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
+                   fmt::format("{:.1f} % of the edges lie between obtuse triangles and conduct nothing",
+                               100 * obtuse_share(mesh)),
+                   "pressures are less exact; a Delaunay mesh has no such edges");
     for (const NamedPlace& place : values.output.places) {
       Gate probe;
       probe.position = position_of(place, setup.part);

@@ -62,6 +62,10 @@ TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
   params.material.no_flow_temperature = 600;
   EXPECT_NE(complaint(params).find("stands still"), std::string::npos);
   params = sound();
+  const double steep[] = {25000, 0.3, 4e12, 263.15, 0, 1e6, 51.6};  // exp(-8e5) Pa s
+  params.material.viscosity = make_viscosity_law("cross_wlf", steep);
+  EXPECT_NE(complaint(params).find("so many Pa s has the melt at 10 1/s and 500 K"), std::string::npos);
+  params = sound();
   params.process.flow.rows.clear();
   EXPECT_NE(complaint(params).find("give at least one flow rate"), std::string::npos);
   params.process.flow = {{{0, 1e-6}, {0, 2e-6}}};
