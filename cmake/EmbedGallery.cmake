@@ -4,7 +4,7 @@ set(FIBERFATE_EMBED_GALLERY_SCRIPT "${CMAKE_CURRENT_LIST_DIR}/WriteGallery.cmake
 
 function(fiberfate_embed_gallery target)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cases/*.toml" "${PROJECT_SOURCE_DIR}/cases/*.md"
-       "${PROJECT_SOURCE_DIR}/cases/*.txt" "${PROJECT_SOURCE_DIR}/cases/*.csv")
+       "${PROJECT_SOURCE_DIR}/cases/*.txt" "${PROJECT_SOURCE_DIR}/cases/*.csv" "${PROJECT_SOURCE_DIR}/cases/*.msh")
   file(GLOB materials CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/materials/*.toml")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/gallery_files.cpp")
   add_custom_command(

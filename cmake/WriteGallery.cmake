@@ -1,5 +1,6 @@
 # Writes OUTPUT, a source that holds the files below CASES and MATERIALS as raw strings.
-file(GLOB_RECURSE files RELATIVE "${CASES}" "${CASES}/*.toml" "${CASES}/*.md" "${CASES}/*.txt" "${CASES}/*.csv")
+file(GLOB_RECURSE files RELATIVE "${CASES}" "${CASES}/*.toml" "${CASES}/*.md" "${CASES}/*.txt" "${CASES}/*.csv"
+     "${CASES}/*.msh")
 list(SORT files)
 set(entries "")
 foreach(file IN LISTS files)
