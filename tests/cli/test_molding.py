@@ -176,6 +176,16 @@ def test_a_resumed_filling_is_bitwise_that_of_one_go(plaque, tmp_path):
         assert (one["VTKHDF/PointData/pressure"][:] == other["VTKHDF/PointData/pressure"][:]).all()
 
 
+@pytest.mark.parametrize("name, variant, steps", [("32_tailgate", "sensors", 70), ("34_phelps_in_mold", "two_gates", 30)])
+def test_sensors_valves_and_amounts_are_in_the_checkpoint(tmp_path, name, variant, steps):
+    words = ["--variant", "short", "--variant", variant]
+    fill(tmp_path / "whole", name, *words)
+    fill(tmp_path / "r", name, *words, "--steps", steps)
+    run("resume", tmp_path / "r", "--progress", "none")
+    for table in ("series.csv", "places.csv"):
+        assert series(tmp_path / "r", table) == series(tmp_path / "whole", table), table
+
+
 def test_threads_give_the_same_bits(plaque, tmp_path):
     fill(tmp_path / "r", "30_plaque", *QUICK, "--threads", "3")
     assert series(tmp_path / "r") == series(plaque)

@@ -80,6 +80,20 @@ TEST(FillingInvariance, AResumedFillingContinuesBitwise) {
   EXPECT_LT(whole.state().sprue_pressure, 200e6);
 }
 
+/// The same while the melt stands behind closed gates: nothing but the state knows of it.
+TEST(FillingInvariance, StandingMeltResumesBitwise) {
+  FillingParams params = full_params();
+  params.gates[0].intervals = {{{TriggerKind::start}, {TriggerKind::time, 0.1}}, {{TriggerKind::time, 0.15}}};
+  Filling whole{ShellMesh(plaque()), params};
+  while (whole.state().time < 0.11) whole.advance();
+  ASSERT_EQ(whole.state().flow_rate, 0);
+  Filling second{ShellMesh(plaque()), params, whole.state()};
+  while (!whole.finished()) whole.advance();
+  while (!second.finished()) second.advance();
+  expect_same(whole.state(), second.state());
+  EXPECT_EQ(whole.state().stop_reason, FillingEnd::filled);
+}
+
 TEST(FillingInvariance, AForeignStateIsRefused) {
   Filling filling{ShellMesh(plaque()), full_params()};
   FillingParams other = full_params();
