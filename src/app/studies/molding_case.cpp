@@ -17,7 +17,7 @@ namespace {
 constexpr double most_obtuse = 0.02;
 
 /// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
-constexpr double heat_cost = 0.25, orientation_cost = 0.9, length_cost = 0.02;
+constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
 
 void validate_machine(const MachineChoices& machine, CaseChecker& checker) {
   const int given = (machine.flow_rate ? 1 : 0) + (machine.fill_time ? 1 : 0) +
@@ -193,7 +193,7 @@ CaseEstimate estimate_molding(const MoldingCase& values) {
   const double fields =
       static_cast<double>(setup.params.fibers.length_sets.size() *
                           std::max<std::size_t>(1, setup.params.fibers.class_lengths.size()));
-  const double cost = (values.numerics.heat == HeatModel::full ? heat_cost : 0.05) +
+  const double cost = flow_cost + (values.numerics.heat == HeatModel::full ? heat_cost : 0) +
                       (values.orientation.name.empty() ? 0 : orientation_cost) + length_cost * fields;
   estimate.memory_bytes = 3e7 + points * (200 + 24 * fields) + 2e3 * static_cast<double>(mesh.node_count());
   estimate.wall_seconds = 1e-6 * cost * points * static_cast<double>(values.numerics.steps);
