@@ -63,23 +63,30 @@ double average_error_percent(std::span<const double> observed, std::span<const d
   return count > 0 ? 100 * sum / static_cast<double>(count) : 0.0;
 }
 
-Sweep sweep(const FitProblem& problem, std::span<const double> values, const SweepRequest& request) {
+std::vector<double> swept_values(const SweepRequest& request) {
   check(request);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < request.count; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(request.count - 1);
+    values.push_back(request.spacing == ParameterScale::logarithmic
+                         ? request.lower * std::pow(request.upper / request.lower, part)
+                         : std::lerp(request.lower, request.upper, part));
+  }
+  return values;
+}
+
+Sweep sweep(const FitProblem& problem, std::span<const double> values, const SweepRequest& request) {
   const std::vector<double> observed = all_observations(problem);
   std::vector<double> parameters(values.begin(), values.end());
   const auto predict = [&](double value) {
     parameters[request.parameter] = value;
     return problem.predict(parameters);
   };
-  const bool logarithmic = request.spacing == ParameterScale::logarithmic;
   Sweep result;
+  result.values = swept_values(request);
   result.series_errors.resize(problem.series.size());
-  for (std::size_t i = 0; i < request.count; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(request.count - 1);
-    const double value = logarithmic ? request.lower * std::pow(request.upper / request.lower, part)
-                                     : std::lerp(request.lower, request.upper, part);
+  for (const double value : result.values) {
     const std::vector<double> predicted = predict(value);
-    result.values.push_back(value);
     result.errors.push_back(average_error_percent(observed, predicted));
     std::size_t begin = 0;
     for (std::size_t k = 0; k < problem.series.size(); ++k) {

@@ -21,6 +21,9 @@ struct SweepRequest {
   ParameterScale spacing = ParameterScale::logarithmic;
 };
 
+/// Tells the values of a request, rising. Raises InputError as `sweep`.
+[[nodiscard]] std::vector<double> swept_values(const SweepRequest& request);
+
 /// Holds a scan.
 struct Sweep {
   std::vector<double> values;

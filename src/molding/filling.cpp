@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -17,6 +18,7 @@
 #include "molding/length_transport.hpp"
 #include "molding/orientation_transport.hpp"
 #include "molding/step_control.hpp"
+#include "molding/step_record.hpp"
 #include "molding/sweep.hpp"
 
 namespace fiberfate {
@@ -53,6 +55,7 @@ struct Filling::Parts {
   StepFlow step;
   std::vector<std::size_t> open_gates;
   std::vector<double> stretching;
+  std::optional<StepRecord> record;
   std::array<double, filling_phase_count> seconds{};
 
   void start();
@@ -148,6 +151,7 @@ void Filling::Parts::carry() {
   });
   const bool heated = params.numerics.heat == HeatModel::full;
   if (heated) timed(FillingPhase::heat, [&] { heat.begin(step, field); });
+  if (record) record->keep(step, field, stretching, state);
   sweep(heated);
   if (heated) heat.end(state);
 }
@@ -242,6 +246,21 @@ void Filling::advance() {
     p.conclude();
   }
   if (finished()) p.state.events.push_back({p.state.time, p.fraction(), FillingEventKind::ended, -1});
+}
+
+void Filling::keep_steps() {
+  parts_->record.emplace();
+}
+
+void Filling::follow_lengths_again(std::vector<LengthSet> sets) {
+  Parts& p = *parts_;
+  const bool whole = p.record && static_cast<std::int64_t>(p.record->step_count()) == p.state.steps;
+  if (!whole || sets.size() != p.params.fibers.length_sets.size())
+    throw InputError("the lengths of this filling cannot be followed again",
+                     "keep its steps from the start on, and give as many laws as it had");
+  p.params.fibers.length_sets = std::move(sets);
+  p.lengths = LengthTransport(p.mesh, p.params, p.layers);
+  p.state.lengths = p.record->follow(p.lengths, p.mesh.node_count() * p.layers.count());
 }
 
 const ShellMesh& Filling::mesh() const {

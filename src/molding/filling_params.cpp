@@ -130,10 +130,10 @@ void check_coupling(const MoldingFibers& fibers, Problems& problems) {
     add(problems, "fibers.coupling.volume_fraction", c.volume_fraction, "it is out of range",
         "give a number between 0 and 1");
   require_positive(problems, "fibers.coupling.diameter", c.diameter);
-  if (!(c.trouton_ratio >= 0))
-    add(problems, "fibers.coupling.trouton_ratio", c.trouton_ratio, "it is negative",
-        "give 0 to compute it from aspect ratio and volume fraction");
-  if (c.trouton_ratio == 0 && c.length_set < 0 && !(c.aspect_ratio > 1))
+  if (!(c.scale >= 0))
+    add(problems, "fibers.coupling.scale", c.scale, "it is negative",
+        "give 1 for the semi-dilute R, less for what is known of R");
+  if (c.length_set < 0 && !(c.aspect_ratio > 1))
     add(problems, "fibers.coupling.aspect_ratio", c.aspect_ratio, "it is not above 1",
         "give length/diameter");
   const auto sets = static_cast<int>(fibers.length_sets.size());

@@ -107,6 +107,8 @@ void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, cons
                                     std::span<const double> stretching, const FillingState& state,
                                     NodeScratch& scratch) const {
   const std::size_t count = layers_->count(), begin = node * count;
+  const std::optional<FiberCoupling>& coupling = params_->fibers.coupling;
+  const bool takes_matrix = !stretching.empty() && coupling && coupling->drag == DragViscosity::matrix;
   for (std::size_t k = 0; k < count; ++k) {
     const double content = step.content[node] * layers_->widths()[k];
     const double mixed = content + step.layer_inflow[begin + k];
@@ -114,8 +116,7 @@ void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, cons
     const bool flows = inverse > 0 && state.rate[begin + k] > 0 && mixed > 0;
     scratch.duration[k] = flows ? step.duration * content / mixed : 0;
     scratch.rate[k] = flows ? state.rate[begin + k] : 0;
-    // The laws know the viscosity of the matrix, which is what drags at the fibers.
-    const double stretched = stretching.empty() ? 1 : stretching[begin + k];
+    const double stretched = takes_matrix ? stretching[begin + k] : 1;
     scratch.viscosity[k] = flows ? 1 / (inverse * stretched) : 0;
   }
   const LengthFlows flows{std::span(scratch.rate).first(count), std::span(scratch.viscosity).first(count)};

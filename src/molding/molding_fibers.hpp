@@ -35,7 +35,11 @@ struct LengthSet {
   std::shared_ptr<const AttritionLaw> law;  ///< of continuum/length_registry.hpp
 };
 
-/// Couples the flow to the fibers: eta = eta_matrix (1 + R (D:A4:D)/(D:D)), R = phi N_p, N_p = r²/(3 ln
+/// Chooses the viscosity that drags at fibers where the flow feels them: that of the melt between them, or
+/// that of the melt with them.
+enum class DragViscosity { matrix, suspension };
+
+/// Couples the flow to the fibers: eta = eta_matrix (1 + R (D:A4:D)/(D:D)), R = s phi N_p, N_p = r²/(3 ln
 /// sqrt(pi/phi)) (informed isotropic viscosity: Favaloro, Tseng, Pipes, 2018; thesis 2.11).
 struct FiberCoupling {
   double volume_fraction = 0.1;  ///< phi, 1
@@ -44,7 +48,8 @@ struct FiberCoupling {
   int length_set = -1;
   int length_class = 0;
   double aspect_ratio = 100;
-  double trouton_ratio = 0;  ///< R where it is known (R_T of 2.11); 0 computes it as above
+  double scale = 1;  ///< s: what is known of R over what the semi-dilute phi N_p tells
+  DragViscosity drag = DragViscosity::matrix;  ///< that the length laws take
 };
 
 /// Holds all about fibers. Every set follows every class of initial length, all in one filling. Lengths in

@@ -42,13 +42,10 @@ void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const
     if (!(gradient.norm() > 0)) return;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t point = node * count + k;
-      double term = coupling.trouton_ratio;
-      if (term == 0) {
-        const double ratio = length_field < 0 ? coupling.aspect_ratio
-                                              : state.lengths[point * fields + place] / coupling.diameter;
-        term = coupling.volume_fraction *
-               particle_number(std::max(ratio, least_aspect_ratio), coupling.volume_fraction);
-      }
+      const double ratio = length_field < 0 ? coupling.aspect_ratio
+                                            : state.lengths[point * fields + place] / coupling.diameter;
+      const double term = coupling.scale * coupling.volume_fraction *
+                          particle_number(std::max(ratio, least_aspect_ratio), coupling.volume_fraction);
       stretching[point] = 1 + term * share_of_stretching(state, point, gradient.normalized(), closure);
     }
   });

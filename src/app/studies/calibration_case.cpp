@@ -43,7 +43,7 @@ void validate_choice_of_law(const CalibrationCase& values, CaseChecker& checker)
                   "give a name under [law] or under [orientation]");
   validate_law(attrition_menu(), "law", values.law, checker);
   validate_law(orientation_menu(), "orientation", values.orientation, checker);
-  if (attrition && values.conditions.viscosities.empty())
+  if (attrition && !calibrates_in_molds(values) && values.conditions.viscosities.empty())
     validate_law(viscosity_menu(), "melt", values.melt, checker);
 }
 
@@ -63,10 +63,10 @@ void validate_conditions(const CalibrationCase& values, CaseChecker& checker) {
   check("conditions.lengths", conditions.lengths.size());
   check("conditions.compressions", conditions.compressions.size());
   check("conditions.flows", conditions.flows.size());
-  if (conditions.rates.empty() == conditions.speeds.empty())
+  if (conditions.rates.empty() == conditions.speeds.empty() && !calibrates_in_molds(values))
     checker.error("conditions.rates",
                   conditions.rates.empty() ? "no shear rates are given" : "rates and speeds are given",
-                  "give rates or speeds");
+                  "give rates or speeds, or moldings");
   for (const std::string& flow : conditions.flows)
     if (flow != "shear" && flow != "planar" && flow != "uniaxial" && flow != "biaxial")
       checker.error("conditions.flows", fmt::format("there is no flow '{}'", flow),
@@ -98,6 +98,13 @@ void validate_lengths(const CalibrationCase& values, CaseChecker& checker) {
     if (row[1] == "histogram")
       checker.error("fibers.form", "means hold no histogram to compare with data.series",
                     "take form = \"distribution\"");
+}
+
+void validate_points(const CalibrationCase& values, CaseChecker& checker) {
+  validate_lengths(values, checker);
+  if (values.data.series.empty() && checker.is_sound("data.series"))
+    checker.error("data.series", "not given", "add what was measured");
+  checker.warn_unused({"data.lengths"}, "conditions.moldings");
 }
 
 void validate_search(const CalibrationCase& values, CaseChecker& checker) {
@@ -146,15 +153,17 @@ const LawChoice& calibrated_law(const CalibrationCase& values) {
 void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
   validate_choice_of_law(values, checker);
   validate_conditions(values, checker);
-  validate_lengths(values, checker);
+  const bool molds = calibrates_in_molds(values);
+  if (!molds) validate_points(values, checker);
   validate_search(values, checker);
   validate_sweep(values, checker);
-  if (!checker.is_sound()) return;
+  if (molds) validate_moldings(values, checker);
+  if (!checker.is_sound() || (molds && checker.files_may_be_gone())) return;
   try {
     pose_calibration(values, read_measurements(values)).check();
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems())
-      checker.error("data.series", problem.complaint, problem.remedy);
+      checker.error(molds ? "data.lengths" : "data.series", problem.complaint, problem.remedy);
   }
 }
 
@@ -165,6 +174,7 @@ CaseEstimate estimate_calibration(const CalibrationCase& values) {
   for (const MeasuredSeries& one : series) observations += one.values.size();
   estimate.facts = {{"observations", fmt::format("{}", observations)},
                     {"free parameters", fmt::format("{}", values.search.free.size())}};
+  if (calibrates_in_molds(values)) return molded_estimate(values, std::move(estimate));
   for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
     const LengthFlow flow = condition_flow(values, i);
     estimate.facts.emplace_back(values.conditions.names[i],

@@ -9,6 +9,7 @@
 #include "app/key_table.hpp"
 #include "app/studies/attrition_case.hpp"
 #include "app/studies/law_choice.hpp"
+#include "app/studies/molding_case.hpp"
 #include "app/studies/orientation_case.hpp"
 #include "app/study.hpp"
 #include "calibration/fit_problem.hpp"
@@ -21,10 +22,11 @@ struct CalibrationConditions {
   std::vector<double> rates;   ///< 1/s
   std::vector<double> speeds;  ///< revolutions per minute, instead of rates
   CouetteRheometer couette = {0.021, 0.027};
-  std::vector<double> viscosities;   ///< Pa s, instead of [melt]
-  std::vector<double> temperatures;  ///< K, for [melt]
-  std::vector<double> pressures;     ///< Pa, for [melt]
-  std::vector<double> lengths;       ///< at the start, m
+  std::vector<double> viscosities;                 ///< Pa s, instead of [melt]
+  std::vector<double> temperatures;                ///< K, for [melt]
+  std::vector<double> pressures;                   ///< Pa, for [melt]
+  std::vector<double> lengths;                     ///< at the start, m
+  std::vector<std::vector<std::string>> moldings;  ///< rows (case file of the study molding, change, …)
   std::vector<double> compressions;
   std::vector<std::string> flows;  ///< shear, planar, uniaxial, biaxial; for orientation
   ShearGradient shear_gradient = ShearGradient::y;
@@ -34,11 +36,19 @@ struct CalibrationConditions {
 /// Chooses whether conditions share their parameters.
 enum class FitScope { together, separately };
 
+/// Holds what was measured of one mean length at one place of a molded part.
+struct MoldedLengths {
+  std::string condition, place;
+  MeasuredMean mean = MeasuredMean::number_average;
+  std::vector<double> samples;  ///< m
+};
+
 /// Holds [data].
 struct CalibrationData {
   std::vector<std::vector<std::string>> series;  ///< rows (condition, quantity, file or value[, time])
-  double relative_uncertainty = 0.02;            ///< of lengths and rate constants
-  double absolute_uncertainty = 0.02;            ///< of components of A2 and of shares in histograms
+  std::vector<MoldedLengths> lengths;
+  double relative_uncertainty = 0.02;  ///< of lengths and rate constants
+  double absolute_uncertainty = 0.02;  ///< of components of A2 and of shares in histograms
   NoiseScale noise = NoiseScale::estimated;
 };
 
@@ -75,12 +85,23 @@ struct CalibrationCase {
 };
 
 void describe_calibration(KeyTable& table, CalibrationCase& values);
+/// Adds the keys that are about molded parts.
+void describe_moldings(KeyTable& table, CalibrationConditions& conditions);
+void describe_molded_lengths(KeyTable& table, CalibrationData& data);
+/// Checks what belongs to calibration in molds only.
+void validate_moldings(const CalibrationCase& values, CaseChecker& checker);
+/// Adds to an estimate what its moldings need.
+[[nodiscard]] CaseEstimate molded_estimate(const CalibrationCase& values, CaseEstimate estimate);
 void validate_calibration(const CalibrationCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_calibration(const CalibrationCase& values);
 
 /// Tells whether the case calibrates an orientation law.
 [[nodiscard]] inline bool calibrates_orientation(const CalibrationCase& values) {
   return !values.orientation.name.empty();
+}
+/// Tells whether the conditions are moldings: parts that fill.
+[[nodiscard]] inline bool calibrates_in_molds(const CalibrationCase& values) {
+  return !values.conditions.moldings.empty();
 }
 /// Gives the menu and the choice of the law that the case calibrates.
 [[nodiscard]] const LawMenu& calibrated_menu(const CalibrationCase& values);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studies/calibration_molds.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "io/csv_table.hpp"
@@ -121,6 +122,7 @@ MeasuredSeries read_series(const CalibrationCase& values, const std::vector<std:
 }  // namespace
 
 std::vector<MeasuredSeries> read_measurements(const CalibrationCase& values) {
+  if (calibrates_in_molds(values)) return molded_series(values);
   std::vector<MeasuredSeries> all;
   for (const std::vector<std::string>& row : values.data.series) {
     try {

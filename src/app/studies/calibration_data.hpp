@@ -16,6 +16,7 @@ struct MeasuredSeries {
   std::string name;           ///< "50 rpm: L_W"
   std::string unit;           ///< SI
   std::size_t condition = 0;  ///< index into conditions.names
+  std::string place;          ///< of a molding; empty: none
   Observed observed = Observed::number_average;
   int row = 0, column = 0;         ///< of A2, for orientation
   std::vector<double> times;       ///< s, one a value; of histograms, all the same; of single values, 0

@@ -50,6 +50,7 @@ void describe_conditions(KeyTable& table, CalibrationConditions& conditions) {
   describe_texts(table, "conditions.flows", conditions.flows,
                  {.text = "For orientation: shear, planar, uniaxial or biaxial; not given: shear."});
   describe_shear_gradient(table, "conditions", conditions.shear_gradient);
+  describe_moldings(table, conditions);
   table.orientation("conditions.orientation", conditions.orientation,
                     {.text = "A2 at the start, for orientation."});
 }
@@ -67,8 +68,9 @@ void describe_data(KeyTable& table, CalibrationData& data) {
            "one "
            "value. Rows [condition, \"histogram\", file, time] take the columns length_low_m, length_high_m, "
            "number_share.",
-       .need = Need::required,
+       .need = Need::usual,
        .example = R"([["50 rpm", "L_W", "lengths_50rpm.csv"], ["50 rpm", "L_inf", "1.5 mm"]])"});
+  describe_molded_lengths(table, data);
   table.quantity(
       "data.relative_uncertainty", data.relative_uncertainty,
       {.text = "Standard deviation of lengths and rate constants over their values, where the file has none.",

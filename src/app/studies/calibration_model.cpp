@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/studies/calibration_molds.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "continuum/length_prediction.hpp"
@@ -185,6 +186,7 @@ LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition) 
 }
 
 FitModel calibration_model(const CalibrationCase& values, const std::vector<MeasuredSeries>& series) {
+  if (calibrates_in_molds(values)) return mold_model(values, series);
   struct Setup {
     CalibrationCase values;
     std::vector<MeasuredSeries> series;
@@ -221,6 +223,13 @@ FitProblem pose_calibration(const CalibrationCase& values, const std::vector<Mea
     problem.series.push_back({one.name, one.unit, one.values, one.deviations});
   problem.model = calibration_model(values, series);
   problem.noise = values.data.noise;
+  if (!calibrates_in_molds(values) || !feels_fibers(values, series)) return problem;
+  // Between the coupled fillings lie splines, beyond them nothing.
+  for (FitParameter& one : problem.parameters) {
+    if (one.name != values.sweep.parameter) continue;
+    one.lower = std::max(one.lower, values.sweep.lower.value_or(one.lower));
+    one.upper = std::min(one.upper, values.sweep.upper.value_or(one.upper));
+  }
   return problem;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/result_folder.hpp"
 #include "app/studies/calibration_data.hpp"
+#include "app/studies/calibration_mold_report.hpp"
 #include "app/studies/calibration_run.hpp"
 #include "app/summary.hpp"
 #include "io/csv_table.hpp"
@@ -48,6 +49,12 @@ FactsSection asked(const CalibrationCase& values) {
   if (calibrates_orientation(values)) section.rows.push_back({"Closure", values.closure});
   for (const std::vector<std::string>& row : values.data.series)
     section.rows.push_back({row[0] + ": " + row[1], std::filesystem::path(row[2]).filename().string()});
+  const auto& moldings = values.conditions.moldings;
+  for (std::size_t i = 0; i < values.conditions.names.size() && !moldings.empty(); ++i) {
+    std::vector<std::string> row = moldings[moldings.size() == 1 ? 0 : i];
+    row[0] = std::filesystem::path(row[0]).filename().string();
+    section.rows.push_back({values.conditions.names[i], fmt::format("{}", fmt::join(row, ", "))});
+  }
   return section;
 }
 
@@ -131,29 +138,45 @@ void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& n
   for (auto& [quantity, section] : pictures) sections.emplace_back(std::move(section));
 }
 
-void append_sweep(const CalibrationCase& values, const ResultFolder& folder, const FitName& name,
-                  const SummaryFile& summary, std::vector<ReportSection>& sections) {
+/// Draws the error over the swept parameter, one curve a fit.
+void append_sweep(const CalibrationCase& values, const ResultFolder& folder, const SummaryFile& summary,
+                  std::vector<ReportSection>& sections) {
   if (values.sweep.parameter.empty() || !std::filesystem::exists(folder.file("sweep.csv"))) return;
   const CsvTable table = read_csv(folder.file("sweep.csv"));
   const AxisScale scale =
       values.sweep.spacing == ParameterScale::logarithmic ? AxisScale::logarithmic : AxisScale::linear;
-  LinesSection section{"sweep" + name.prefix,
-                       "Error over " + values.sweep.parameter + name.heading,
+  LinesSection section{"sweep",
+                       "Error over " + values.sweep.parameter,
                        {values.sweep.parameter, "", scale},
                        {"average error", "%"},
                        {},
                        {}};
-  ReportSeries curve{"average error", {}};
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.column("fit")[i] != name.number) continue;
-    section.x_values.push_back(table.column("value")[i]);
-    curve.values.push_back(table.column("average_error_percent")[i]);
+  section.caption = "Thesis 4.7, 4.8, figures 4.2, 4.6, 4.7. Least";
+  for (const FitName& name : fit_names(values)) {
+    ReportSeries curve{name.heading.empty() ? "average error" : name.heading.substr(2), {}};
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      if (table.column("fit")[i] != name.number) continue;
+      curve.x.push_back(table.column("value")[i]);
+      curve.values.push_back(table.column("average_error_percent")[i]);
+    }
+    if (curve.values.empty()) continue;
+    const std::string of = name.heading.empty() ? "" : fmt::format(" of {}", curve.label);
+    section.caption += fmt::format("{}{} at {} = {:.6g}: {:.4g} %", section.series.empty() ? "" : ";", of,
+                                   values.sweep.parameter, summary.number(name.prefix + "sweep_best_value"),
+                                   summary.number(name.prefix + "sweep_best_error_percent"));
+    section.series.push_back(std::move(curve));
   }
-  section.series = {curve};
-  section.caption = fmt::format("Least at {} = {:.6g}: {:.4g} % (thesis 4.7, 4.8, figure 4.2).",
-                                values.sweep.parameter, summary.number(name.prefix + "sweep_best_value"),
-                                summary.number(name.prefix + "sweep_best_error_percent"));
+  section.caption += '.';
   sections.emplace_back(std::move(section));
+}
+
+/// Compares the optima of moldings that were fitted one by one.
+void append_optima(const CalibrationCase& values, const ResultFolder& folder,
+                   std::vector<ReportSection>& sections) {
+  if (!std::filesystem::exists(folder.file("optimum.csv"))) return;
+  const CsvTable table = read_csv(folder.file("optimum.csv"));
+  sections.emplace_back(optimum_table(values, table));
+  if (table.rows() > 1) sections.emplace_back(optimum_section(values, table));
 }
 
 void append_profiles(const CalibrationCase& values, const ResultFolder& folder, const FitName& name,
@@ -189,6 +212,8 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
   const CsvTable fit = read_csv(folder.file("fit.csv"));
   const CsvTable curves = read_csv(folder.file("curves.csv"));
   const std::vector<MeasuredSeries> all = read_measurements(values);
+  append_optima(values, folder, document.sections);
+  append_sweep(values, folder, summary, document.sections);
   for (const FitName& name : fit_names(values)) {
     std::vector<MeasuredSeries> measured;
     for (const MeasuredSeries& one : all)
@@ -196,8 +221,13 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
     if (measured.empty()) continue;
     document.sections.emplace_back(estimates(values, summary, name));
     document.sections.emplace_back(quality(summary, name));
-    append_curves(measured, name, values.search.level, fit, curves, document.sections);
-    append_sweep(values, folder, name, summary, document.sections);
+    if (calibrates_in_molds(values)) {
+      for (LinesSection& one :
+           molded_lengths_sections(values, measured, {name.number, name.prefix, fit, curves}))
+        document.sections.emplace_back(std::move(one));
+    } else {
+      append_curves(measured, name, values.search.level, fit, curves, document.sections);
+    }
     append_profiles(values, folder, name, document.sections);
   }
   return document;

@@ -11,6 +11,7 @@
 #include "app/run_log.hpp"
 #include "app/studies/calibration_data.hpp"
 #include "app/studies/calibration_model.hpp"
+#include "app/studies/calibration_molds.hpp"
 #include "app/summary.hpp"
 #include "base/timer.hpp"
 #include "calibration/bootstrap.hpp"
@@ -40,6 +41,9 @@ struct Tables {
   CsvTable profile = {{"fit", "parameter", "value", "chi_square", "limit"}, {}};
   CsvTable bootstrap = {{"fit", "parameter", "value"}, {}};
   CsvTable sweep = {{"fit", "value", "average_error_percent"}, {}};
+  CsvTable optimum = {{"fit", "coupled", "length_m", "aspect_ratio", "best_value", "best_error_percent",
+                       "fitted", "lower", "upper"},
+                      {}};
 };
 
 /// Makes a name fit for a key: "50 rpm" becomes "50_rpm".
@@ -72,7 +76,7 @@ class OneFit {
     append_curves(tables.curves);
     append_profiles(options, tables.profile, summary);
     append_bootstrap(tables.bootstrap, summary);
-    append_sweep(tables.sweep, summary);
+    append_sweep(tables, summary);
   }
 
  private:
@@ -133,7 +137,18 @@ class OneFit {
                            series_[s].deviations[i], result_.predictions[at]});
   }
 
+  /// Writes the predictions of moldings with their bands, one a place and mean.
+  void append_molded(CsvTable& table) const {
+    PredictionRequest request = {pooled(problem_).model, {}};
+    for (const MeasuredSeries& one : series_) request.uncertainty.push_back(one.deviations.front());
+    const PredictionBand band = predict_with_band(problem_, result_, request, values_.search.level);
+    for (std::size_t s = 0; s < series_.size(); ++s)
+      append_row(table, {number_, static_cast<double>(s), 0, band.predicted[s], band.curve[s].lower,
+                         band.curve[s].upper, band.observation[s].lower, band.observation[s].upper});
+  }
+
   void append_curves(CsvTable& table) const {
+    if (calibrates_in_molds(values_)) return append_molded(table);
     std::vector<MeasuredSeries> fine;
     PredictionRequest request;
     for (const MeasuredSeries& one : series_) {
@@ -183,7 +198,7 @@ class OneFit {
     add(summary, "bootstrap_failed", static_cast<std::int64_t>(samples.failed));
   }
 
-  void append_sweep(CsvTable& table, RunSummary& summary) const {
+  void append_sweep(Tables& tables, RunSummary& summary) const {
     if (values_.sweep.parameter.empty()) return;
     SweepRequest request;
     while (problem_.parameters[request.parameter].name != values_.sweep.parameter) ++request.parameter;
@@ -192,11 +207,26 @@ class OneFit {
     request.upper = values_.sweep.upper.value_or(10 * value);
     request.count = static_cast<std::size_t>(values_.sweep.count);
     request.spacing = values_.sweep.spacing;
-    const Sweep found = sweep(problem_, result_.values, request);
+    const bool molds = calibrates_in_molds(values_);
+    const Sweep found = sweep(molds ? pooled(problem_) : problem_, result_.values, request);
     add(summary, "sweep_best_value", found.best_value);
     add(summary, "sweep_best_error_percent", found.best_error);
     for (std::size_t i = 0; i < found.values.size(); ++i)
-      append_row(table, {number_, found.values[i], found.errors[i]});
+      append_row(tables.sweep, {number_, found.values[i], found.errors[i]});
+    if (molds) append_optimum(found, request.parameter, tables.optimum);
+  }
+
+  /// Writes the optimum of one molding beside the aspect ratio of the fibers that came in.
+  void append_optimum(const Sweep& found, std::size_t parameter, CsvTable& table) const {
+    const std::size_t condition = series_.front().condition;
+    for (const MeasuredSeries& one : series_)
+      if (one.condition != condition) return;
+    const MoldingCase molding = molding_of(values_, condition);
+    const double length = inlet_length(values_, condition);
+    const ParameterEstimate& estimate = result_.parameters[parameter];
+    append_row(table, {number_, molding.fibers.coupling == CouplingChoice::none ? 0.0 : 1.0, length,
+                       length / molding.fibers.diameter, found.best_value, found.best_error, estimate.value,
+                       estimate.interval.lower, estimate.interval.upper});
   }
 
   const CalibrationCase& values_;
@@ -220,6 +250,7 @@ void write_tables(const ResultFolder& folder, const Tables& tables) {
   if (tables.profile.rows() > 0) write_csv(folder.file("profile.csv"), tables.profile);
   if (tables.bootstrap.rows() > 0) write_csv(folder.file("bootstrap.csv"), tables.bootstrap);
   if (tables.sweep.rows() > 0) write_csv(folder.file("sweep.csv"), tables.sweep);
+  if (tables.optimum.rows() > 0) write_csv(folder.file("optimum.csv"), tables.optimum);
 }
 
 }  // namespace

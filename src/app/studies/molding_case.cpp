@@ -60,6 +60,15 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
   if (fibers.coupling != CouplingChoice::none && values.orientation.name.empty())
     checker.error("fibers.coupling", "the coupled viscosity needs the orientation",
                   "choose a law in [orientation]");
+  if (fibers.coupling == CouplingChoice::none)
+    checker.warn_unused({"fibers.trouton_term", "fibers.trouton_length", "fibers.drag"},
+                        "fibers.coupling = \"informed_isotropic\"");
+  if (fibers.trouton_length && !fibers.trouton_term)
+    checker.error("fibers.trouton_length", "it belongs to fibers.trouton_term, which is not given",
+                  "give both, or none");
+  if (fibers.trouton_length && !(*fibers.trouton_length > fibers.diameter))
+    checker.error("fibers.trouton_length", "not more than " + checker.cite("fibers.diameter"),
+                  "give the length of the fibers");
   if (values.law.name.empty() && !values.compared.name.empty())
     checker.error("compare.name", "there is no first law", "choose one in [law]");
 }

@@ -91,6 +91,9 @@ struct MoldingFiberChoices {
   Mat3 inlet_orientation = Mat3::Identity() / 3;
   InletAxes inlet_axes = InletAxes::flow;
   CouplingChoice coupling = CouplingChoice::none;
+  std::optional<double> trouton_term;    ///< R of the coupled viscosity, 1
+  std::optional<double> trouton_length;  ///< at which R is that, m; not given: that at the gates
+  DragViscosity drag = DragViscosity::matrix;
 };
 
 /// Holds [composite]: what stiffness and expansion need.

@@ -64,6 +64,23 @@ void describe_fibers(KeyTable& table, MoldingFiberChoices& fibers) {
        {CouplingChoice::informed_isotropic, "informed_isotropic",
         "viscosity from orientation and length; [melt] is the viscosity of the matrix"}},
       {.text = "How the flow feels the fibers.", .source = "Favaloro, Tseng, Pipes 2018; thesis 2.11"});
+  table.quantity(
+      "fibers.trouton_term", fibers.trouton_term,
+      {.text = "R of the coupled viscosity eta (1 + R (D:A4:D)/(D:D)) for fibers of trouton_length; it "
+               "goes with the square of their length. Not given: phi N_p, semi-dilute, which "
+               "overestimates long fibers.",
+       .range = Range::between(0, 1e6),
+       .source = "thesis 2.11, 2.12"});
+  table.quantity("fibers.trouton_length", fibers.trouton_length,
+                 {.text = "Length of the fibers for which trouton_term holds; not given: that at the gates.",
+                  .unit = "m",
+                  .friendly = "mm",
+                  .range = Range::positive(1)});
+  table.choice("fibers.drag", fibers.drag,
+               {{DragViscosity::matrix, "matrix", "that of the melt between them"},
+                {DragViscosity::suspension, "suspension",
+                 "that of the melt with them, as a user routine is given it by a filling program"}},
+               {.text = "Viscosity that the length laws take where the flow feels the fibers."});
 }
 
 void describe_composite(KeyTable& table, CompositeChoices& composite) {

@@ -146,22 +146,25 @@ CsvTable histogram_table(const MoldingFields& fields, const std::vector<std::vec
   return table;
 }
 
+/// Gathers the samples of every place and mean with what the sweep predicts there.
 std::vector<SweptLength> swept_lengths(const MoldingFields& fields,
                                        const std::vector<std::vector<Index>>& samples) {
   const std::vector<NamedPlace>& places = fields.values().output.places;
   std::vector<SweptLength> lengths;
-  for (const MeasuredLength& measured : fields.values().sweep.measured) {
-    const auto place = std::find_if(places.begin(), places.end(),
-                                    [&](const NamedPlace& one) { return one.name == measured.place; });
-    SweptLength one = {measured.length, {}};
-    for (std::size_t i = 0; i < fields.setup().sweep_values.size(); ++i) {
-      const MeanLengths means =
-          fields.means(i + 1, samples[static_cast<std::size_t>(place - places.begin())]);
-      one.predicted.push_back(measured.mean == MeasuredMean::number_average ? means.number_average
-                                                                            : means.weight_average);
+  for (std::size_t place = 0; place < places.size(); ++place)
+    for (const MeasuredMean mean : {MeasuredMean::number_average, MeasuredMean::weight_average}) {
+      SweptLength one;
+      for (const MeasuredLength& measured : fields.values().sweep.measured)
+        if (measured.place == places[place].name && measured.mean == mean)
+          one.measured.push_back(measured.length);
+      if (one.measured.empty()) continue;
+      for (std::size_t i = 0; i < fields.setup().sweep_values.size(); ++i) {
+        const MeanLengths means = fields.means(i + 1, samples[place]);
+        one.predicted.push_back(mean == MeasuredMean::number_average ? means.number_average
+                                                                     : means.weight_average);
+      }
+      lengths.push_back(std::move(one));
     }
-    lengths.push_back(std::move(one));
-  }
   return lengths;
 }
 

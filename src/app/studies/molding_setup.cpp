@@ -8,6 +8,7 @@
 
 #include "app/studies/molding_gates.hpp"
 #include "base/error.hpp"
+#include "continuum/anisotropic_stress.hpp"
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/closure.hpp"
@@ -126,7 +127,14 @@ void add_coupling(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   coupling.diameter = choices.diameter;
   coupling.length_set = fibers.length_sets.empty() ? -1 : 0;
   coupling.length_class = setup.reading == LengthReading::means ? 1 : 0;
-  coupling.aspect_ratio = fibers.class_lengths.front() / choices.diameter;
+  const auto driving = static_cast<std::size_t>(coupling.length_class);
+  coupling.aspect_ratio = fibers.class_lengths[driving] / choices.diameter;
+  coupling.drag = choices.drag;
+  if (choices.trouton_term) {
+    const double ratio = choices.trouton_length.value_or(fibers.class_lengths[driving]) / choices.diameter;
+    coupling.scale =
+        *choices.trouton_term / (choices.volume_fraction * particle_number(ratio, choices.volume_fraction));
+  }
   fibers.coupling = coupling;
 }
 

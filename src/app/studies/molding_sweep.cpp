@@ -4,40 +4,18 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+
+#include "calibration/natural_spline.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr int points_between = 200;  // at which errors are looked at between two values of the sweep
 
-/// Interpolates by a natural cubic spline.
-class Spline {
- public:
-  Spline(const std::vector<double>& x, std::vector<double> y)
-      : x_(x), y_(std::move(y)), bend_(x.size(), 0.0) {
-    const std::size_t n = x_.size();
-    std::vector<double> upper(n, 0.0), right(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = x_[i] - x_[i - 1], after = x_[i + 1] - x_[i];
-      const double pivot = 2 * (before + after) - before * upper[i - 1];
-      upper[i] = after / pivot;
-      const double jump = 6 * ((y_[i + 1] - y_[i]) / after - (y_[i] - y_[i - 1]) / before);
-      right[i] = (jump - before * right[i - 1]) / pivot;
-    }
-    for (std::size_t i = n - 2; i > 0; --i) bend_[i] = right[i] - upper[i] * bend_[i + 1];
-  }
-  [[nodiscard]] double at(double x) const {
-    const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
-    const auto i = static_cast<std::size_t>(above - x_.begin());
-    const double width = x_[i] - x_[i - 1], a = (x_[i] - x) / width, b = 1 - a;
-    return a * y_[i - 1] + b * y_[i] +
-           ((a * a * a - a) * bend_[i - 1] + (b * b * b - b) * bend_[i]) * width * width / 6;
-  }
-
- private:
-  const std::vector<double>& x_;
-  std::vector<double> y_, bend_;
-};
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 /// Evaluates both errors at any place of the sweep.
 class SweepErrors {
@@ -52,31 +30,41 @@ class SweepErrors {
   }
   [[nodiscard]] double average_percent(double place) const {
     double sum = 0;
-    for (std::size_t i = 0; i < lengths_.size(); ++i) sum += std::abs(relative(i, place));
+    for (std::size_t i = 0; i < lengths_.size(); ++i)
+      sum += std::abs(predicted(i, place) / mean_of(lengths_[i].measured) - 1);
     return 100 * sum / static_cast<double>(lengths_.size());
   }
-  [[nodiscard]] double mean_square(double place) const {
+  /// Sums the squares of all samples' errors, relative to the means of their places: a sample's own length in
+  /// the denominator would weigh short ones more and lengthen the fit.
+  [[nodiscard]] double squares(double place) const {
     double sum = 0;
-    for (std::size_t i = 0; i < lengths_.size(); ++i) sum += relative(i, place) * relative(i, place);
-    return sum / static_cast<double>(lengths_.size());
+    for (std::size_t i = 0; i < lengths_.size(); ++i)
+      for (const double one : lengths_[i].measured)
+        sum += std::pow((predicted(i, place) - one) / mean_of(lengths_[i].measured), 2);
+    return sum;
   }
-  /// Sums the squared slopes of the logarithms of all lengths.
+  [[nodiscard]] std::size_t samples() const {
+    std::size_t count = 0;
+    for (const SweptLength& one : lengths_) count += one.measured.size();
+    return count;
+  }
+  /// Sums the squared slopes of the logarithms of all samples' lengths.
   [[nodiscard]] double information(double place) const {
     constexpr double step = 1e-3;
     double sum = 0;
-    for (const Spline& spline : splines_) {
-      const double slope = (spline.at(place + step) - spline.at(place - step)) / (2 * step);
-      sum += slope * slope;
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      const double slope = (splines_[i].at(place + step) - splines_[i].at(place - step)) / (2 * step);
+      sum += static_cast<double>(lengths_[i].measured.size()) * slope * slope;
     }
     return sum;
   }
 
  private:
-  [[nodiscard]] double relative(std::size_t i, double place) const {
-    return std::exp(splines_[i].at(place)) / lengths_[i].measured - 1;
+  [[nodiscard]] double predicted(std::size_t i, double place) const {
+    return std::exp(splines_[i].at(place));
   }
   const std::vector<SweptLength>& lengths_;
-  std::vector<Spline> splines_;
+  std::vector<NaturalSpline> splines_;
 };
 
 /// Finds the least of a function on a fine grid between the places.
@@ -110,11 +98,10 @@ SweepOutcome evaluate_sweep(const std::vector<double>& values, const std::vector
   const double best = least_place(places, [&](double place) { return errors.average_percent(place); });
   outcome.best_value = value_at(best);
   outcome.best_error = errors.average_percent(best);
-  const double smooth = least_place(places, [&](double place) { return errors.mean_square(place); });
-  const auto count = static_cast<double>(lengths.size());
-  const double freedom = std::max(1.0, count - 1);
+  const double smooth = least_place(places, [&](double place) { return errors.squares(place); });
+  const double freedom = std::max(1.0, static_cast<double>(errors.samples()) - 1);
   outcome.least_squares_value = value_at(smooth);
-  outcome.least_squares_error = std::sqrt(errors.mean_square(smooth) * count / freedom);
+  outcome.least_squares_error = std::sqrt(errors.squares(smooth) / freedom);
   outcome.standard_error = outcome.least_squares_error / std::sqrt(errors.information(smooth));
   return outcome;
 }

@@ -5,9 +5,9 @@
 
 namespace fiberfate {
 
-/// Holds one measurement with what every value of the sweep predicts for it.
+/// Holds what was measured of one mean length at one place, with what every value of the sweep predicts.
 struct SweptLength {
-  double measured = 0;            ///< m
+  std::vector<double> measured;   ///< of every sample, m
   std::vector<double> predicted;  ///< one a value, m
 };
 
@@ -23,9 +23,10 @@ struct SweepOutcome {
 
 /// Evaluates a sweep over rising values (at least three). Between them the logarithm of every length is a
 /// cubic spline in the logarithm of the value (in the value itself where one is not positive): lengths are
-/// smooth in it. The optimum of (4.8) has kinks, one a measurement; that of least squares is smooth and less
-/// noisy. The standard error is that of linearised least squares with the scatter that is found. Source:
-/// thesis (4.7), (4.8).
+/// smooth in it. Errors (4.7) are of the mean over the samples of a place, relative to it. The optimum of
+/// (4.8) has kinks, one a place; that of least squares over all samples is smooth and less noisy. The
+/// standard error is that of linearised least squares with the scatter that is found. Source: thesis (4.7),
+/// (4.8).
 [[nodiscard]] SweepOutcome evaluate_sweep(const std::vector<double>& values,
                                           const std::vector<SweptLength>& lengths);
 

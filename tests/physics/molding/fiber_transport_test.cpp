@@ -1,6 +1,7 @@
 // Compares the transport of lengths and orientations through steady channels with the point laws.
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_registry.hpp"
@@ -78,6 +79,31 @@ TEST(LengthTransport, ManySetsAreAsOne) {
   for (std::size_t node = 0; node < first.mesh().node_count(); node += 7)
     for (std::size_t k = 0; k < first.layers().count(); ++k)
       EXPECT_EQ(first.lengths(2, node, k)[1], second.lengths(0, node, k)[0]);
+}
+
+/// Lengths that are followed again through the steps that were kept are those of a filling with these laws.
+TEST(LengthTransport, FollowedAgainIsAsFilledAnew) {
+  const Rectangle r{0.08, 0.01, 0.002, 20, 2};
+  FillingParams params = channel_params(r);
+  params.fibers.class_numbers = {1, 2};
+  params.fibers.length_sets = {{"xi", law(0.001)}};
+  Filling kept{ShellMesh(rectangle(r)), params};
+  kept.keep_steps();
+  fill(kept);
+  const double phelps[] = {0.01, 3, 0.25, 73e9, 19e-6, 0};
+  for (const auto& other :
+       {law(0.02), std::shared_ptr<const AttritionLaw>(make_attrition_law("phelps", phelps))}) {
+    params.fibers.length_sets = {{"other", other}};
+    Filling anew{ShellMesh(rectangle(r)), params};
+    fill(anew);
+    kept.follow_lengths_again({{"other", other}});
+    EXPECT_EQ(kept.state().lengths, anew.state().lengths);
+  }
+  Filling begun{ShellMesh(rectangle(r)), params};
+  begun.advance();
+  begun.keep_steps();
+  begun.advance();
+  EXPECT_THROW(begun.follow_lengths_again({{"xi", law(0.001)}}), InputError);
 }
 
 /// Phelps' law moves numbers of fibers; their length sum n L is a passive tracer.

@@ -36,7 +36,7 @@ FillingParams full_params() {
   const double values[] = {0.05, 0.01, 2e9, 19e-6};
   params.fibers.length_sets = {{"xi", make_attrition_law("unbreakable_length", values)}};
   params.fibers.class_lengths = {0.0006};
-  params.fibers.coupling = FiberCoupling{0.15, 19e-6, 0, 0, 0, 0};
+  params.fibers.coupling = FiberCoupling{0.15, 19e-6, 0, 0, 0};
   return params;
 }
 
@@ -111,7 +111,7 @@ TEST(FiberCouplingInFlow, IsotropicFibersMultiplyThePressure) {
   model.constants.xi = 0;
   params.fibers.orientation = model;
   Filling plain{ShellMesh(rectangle(r)), params};
-  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100, 0};
+  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100};
   Filling coupled{ShellMesh(rectangle(r)), params};
   while (plain.filled_fraction() < 0.8) {
     plain.advance();
@@ -130,7 +130,7 @@ TEST(FiberCouplingInFlow, AlignmentLowersThePressure) {
   OrientationModel model = orientation_model_named("folgar_tucker", "ibof");
   model.constants.c_i = 0.003;
   params.fibers.orientation = model;
-  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100, 0};
+  params.fibers.coupling = FiberCoupling{0.1, 19e-6, -1, 0, 100};
   Filling random{ShellMesh(rectangle(r)), params};
   params.fibers.inlet.orientation = Vec3(0.98, 0.01, 0.01).asDiagonal();
   Filling aligned{ShellMesh(rectangle(r)), params};
