@@ -9,6 +9,7 @@
 #include "app/studies/molding_gates.hpp"
 #include "base/error.hpp"
 #include "continuum/anisotropic_stress.hpp"
+#include "continuum/length_classes.hpp"
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/closure.hpp"
@@ -119,6 +120,17 @@ void add_classes(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   }
 }
 
+/// Finds the class whose length the flow feels: the one nearest to L_W at the gates.
+int driving_class(const MoldingSetup& setup) {
+  if (setup.reading == LengthReading::means) return 1;
+  const std::vector<double>& lengths = setup.params.fibers.class_lengths;
+  const double wanted = mean_lengths(lengths, setup.params.fibers.class_numbers).weight_average;
+  const auto nearest = std::min_element(lengths.begin(), lengths.end(), [wanted](double a, double b) {
+    return std::abs(a - wanted) < std::abs(b - wanted);
+  });
+  return static_cast<int>(nearest - lengths.begin());
+}
+
 void add_coupling(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   if (choices.coupling == CouplingChoice::none) return;
   MoldingFibers& fibers = setup.params.fibers;
@@ -126,7 +138,7 @@ void add_coupling(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   coupling.volume_fraction = choices.volume_fraction;
   coupling.diameter = choices.diameter;
   coupling.length_set = fibers.length_sets.empty() ? -1 : 0;
-  coupling.length_class = setup.reading == LengthReading::means ? 1 : 0;
+  coupling.length_class = driving_class(setup);
   const auto driving = static_cast<std::size_t>(coupling.length_class);
   coupling.aspect_ratio = fibers.class_lengths[driving] / choices.diameter;
   coupling.drag = choices.drag;
