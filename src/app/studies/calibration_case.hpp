@@ -52,6 +52,9 @@ struct CalibrationData {
   NoiseScale noise = NoiseScale::estimated;
 };
 
+/// Chooses whether intervals are found by profiles, too.
+enum class ProfileChoice { all, none };
+
 /// Holds [fit].
 struct CalibrationSearch {
   std::vector<std::string> free;
@@ -60,6 +63,7 @@ struct CalibrationSearch {
   FitScope scope = FitScope::together;
   std::int64_t starts = 1;
   double level = 0.95;
+  ProfileChoice profiles = ProfileChoice::all;
   std::int64_t bootstrap = 0;  ///< samples
   std::int64_t seed = 1;
 };

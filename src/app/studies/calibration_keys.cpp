@@ -106,6 +106,11 @@ void describe_search(KeyTable& table, CalibrationSearch& search) {
               {.text = "Searches from as many places; the best is kept.", .range = Range::between(1, 10000)});
   table.quantity("fit.level", search.level,
                  {.text = "Confidence of the intervals.", .range = Range::inside(0, 1)});
+  table.choice(
+      "fit.profiles", search.profiles,
+      {{ProfileChoice::all, "all", "of every free parameter"},
+       {ProfileChoice::none, "none", "linearised intervals only"}},
+      {.text = "Intervals by profiles of the likelihood; each takes as long as some dozens of fits."});
   table.count("fit.bootstrap", search.bootstrap,
               {.text = "Bootstrap samples; 0: none.", .range = Range::between(0, 1e6)});
   table.count(

@@ -170,6 +170,7 @@ void validate_moldings(const CalibrationCase& values, CaseChecker& checker) {
     } catch (const InputError& error) {
       for (InputProblem problem : error.problems()) {
         const std::string remedy = std::exchange(problem.remedy, {});
+        if (!std::filesystem::exists(problem.file)) problem.file.clear();  // changes are in no file
         if (said.insert(problem.message()).second)
           checker.error("conditions.moldings", problem.message(), remedy);
       }

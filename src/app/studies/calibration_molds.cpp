@@ -11,6 +11,7 @@
 
 #include "app/studies/mold_experiment.hpp"
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "calibration/natural_spline.hpp"
 #include "calibration/sweep.hpp"
 
@@ -44,6 +45,9 @@ class MoldPredictor {
  private:
   /// Gives the length of every link of one condition.
   [[nodiscard]] std::vector<double> lengths(std::size_t condition, std::span<const double> parameters);
+  /// Gives those of all moldings whose flow does not feel the fibers.
+  [[nodiscard]] std::map<std::size_t, std::vector<double>> lengths_by_replay(
+      std::span<const double> parameters);
   void sweep_coupled(std::size_t condition, std::span<const double> parameters);
 
   std::vector<Link> links_;
@@ -97,13 +101,33 @@ void MoldPredictor::sweep_coupled(std::size_t condition, std::span<const double>
   for (const std::vector<double>& one : logarithms) logarithms_[condition].emplace_back(positions, one);
 }
 
+std::map<std::size_t, std::vector<double>> MoldPredictor::lengths_by_replay(
+    std::span<const double> parameters) {
+  std::vector<std::size_t> conditions;
+  for (const auto& [condition, experiment] : experiments_)
+    if (!experiment.is_coupled()) conditions.push_back(condition);
+  std::vector<std::vector<double>> found(conditions.size());
+  // Fillings use all threads themselves, and only they may find that no melt comes to a place.
+  const bool filled = std::all_of(conditions.begin(), conditions.end(), [this](std::size_t condition) {
+    return experiments_.at(condition).fillings() > 0;
+  });
+  if (filled) {
+    parallel_for(static_cast<std::ptrdiff_t>(conditions.size()), [&](std::ptrdiff_t i) {
+      const auto at = static_cast<std::size_t>(i);
+      found[at] = lengths(conditions[at], parameters);
+    });
+  } else {
+    for (std::size_t i = 0; i < conditions.size(); ++i) found[i] = lengths(conditions[i], parameters);
+  }
+  std::map<std::size_t, std::vector<double>> by_condition;
+  for (std::size_t i = 0; i < conditions.size(); ++i) by_condition[conditions[i]] = std::move(found[i]);
+  return by_condition;
+}
+
 void MoldPredictor::predict(std::span<const double> parameters, std::span<double> predictions) {
-  std::map<std::size_t, std::vector<double>> found;
+  std::map<std::size_t, std::vector<double>> found = lengths_by_replay(parameters);
   for (const auto& [condition, experiment] : experiments_) {
-    if (!experiment.is_coupled()) {
-      found[condition] = lengths(condition, parameters);
-      continue;
-    }
+    if (!experiment.is_coupled()) continue;
     if (!logarithms_.contains(condition)) sweep_coupled(condition, parameters);
     const double position = logarithmic_ ? std::log(parameters[swept_]) : parameters[swept_];
     for (const NaturalSpline& spline : logarithms_[condition])

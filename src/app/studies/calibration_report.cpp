@@ -65,8 +65,9 @@ std::string written_interval(double low, double high) {
 TableSection estimates(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
   const std::string level = fmt::format("{:g} % ", 100 * values.search.level);
   TableSection section{"estimates" + name.prefix, "Parameters" + name.heading, {}, {}};
-  section.columns = {{"parameter"},         {"unit"}, {"value"}, {"standard error"}, {level + "linearised"},
-                     {level + "by profile"}};
+  section.columns = {{"parameter"}, {"unit"}, {"value"}, {"standard error"}, {level + "linearised"}};
+  const bool profiles = values.search.profiles == ProfileChoice::all;
+  if (profiles) section.columns.push_back({level + "by profile"});
   if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
   for (const LawParameter& parameter :
        chosen_law(calibrated_menu(values), calibrated_law(values))->parameters) {
@@ -78,8 +79,8 @@ TableSection estimates(const CalibrationCase& values, const SummaryFile& summary
       return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
     };
     section.rows.push_back({parameter.name, parameter.unit == "1" ? std::string() : parameter.unit,
-                            summary.number(key), summary.number(key + "_standard_error"), interval(""),
-                            interval("_profile")});
+                            summary.number(key), summary.number(key + "_standard_error"), interval("")});
+    if (profiles) section.rows.back().emplace_back(interval("_profile"));
     if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
   }
   section.caption = "Missing where the data cannot tell (docs/theory/calibration.md).";

@@ -167,6 +167,7 @@ class OneFit {
   }
 
   void append_profiles(const FitOptions& options, CsvTable& table, RunSummary& summary) const {
+    if (values_.search.profiles == ProfileChoice::none) return;
     if (result_.degrees_of_freedom <= 0 && problem_.noise == NoiseScale::estimated) return;
     for (const std::size_t parameter : problem_.free_parameters()) {
       if (result_.parameters[parameter].outcome != ParameterOutcome::determined) continue;
