@@ -66,7 +66,7 @@ LinesSection lengths_section(const CalibrationCase& values, const std::vector<Me
 }
 
 const char* coupling_name(double coupled) {
-  return coupled > 0 ? "the flow feels the fibers" : "no coupling";
+  return coupled > 0 ? "coupled" : "not coupled";
 }
 
 }  // namespace

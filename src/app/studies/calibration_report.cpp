@@ -152,7 +152,6 @@ void append_sweep(const CalibrationCase& values, const ResultFolder& folder, con
                        {"average error", "%"},
                        {},
                        {}};
-  section.caption = "Thesis 4.7, 4.8, figures 4.2, 4.6, 4.7. Least";
   for (const FitName& name : fit_names(values)) {
     ReportSeries curve{name.heading.empty() ? "average error" : name.heading.substr(2), {}};
     for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -161,13 +160,14 @@ void append_sweep(const CalibrationCase& values, const ResultFolder& folder, con
       curve.values.push_back(table.column("average_error_percent")[i]);
     }
     if (curve.values.empty()) continue;
-    const std::string of = name.heading.empty() ? "" : fmt::format(" of {}", curve.label);
-    section.caption += fmt::format("{}{} at {} = {:.6g}: {:.4g} %", section.series.empty() ? "" : ";", of,
-                                   values.sweep.parameter, summary.number(name.prefix + "sweep_best_value"),
-                                   summary.number(name.prefix + "sweep_best_error_percent"));
+    if (summary.text(name.prefix + "coupled") == "yes") curve.style = CurveStyle::dashed;
+    section.caption = fmt::format("Least at {} = {:.6g}: {:.4g} % (thesis 4.7, 4.8, figure 4.2).",
+                                  values.sweep.parameter, summary.number(name.prefix + "sweep_best_value"),
+                                  summary.number(name.prefix + "sweep_best_error_percent"));
     section.series.push_back(std::move(curve));
   }
-  section.caption += '.';
+  if (section.series.size() > 1)
+    section.caption = "Thesis 4.7, 4.8, figures 4.6, 4.7; dashed where the flow feels the fibers.";
   sections.emplace_back(std::move(section));
 }
 

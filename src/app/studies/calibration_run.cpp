@@ -209,6 +209,7 @@ class OneFit {
     request.count = static_cast<std::size_t>(values_.sweep.count);
     request.spacing = values_.sweep.spacing;
     const bool molds = calibrates_in_molds(values_);
+    if (molds) add(summary, "coupled", std::string(feels_fibers(values_, series_) ? "yes" : "no"));
     const Sweep found = sweep(molds ? pooled(problem_) : problem_, result_.values, request);
     add(summary, "sweep_best_value", found.best_value);
     add(summary, "sweep_best_error_percent", found.best_error);

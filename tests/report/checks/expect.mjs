@@ -43,7 +43,7 @@ export function unit_factor(shown, unit = "") {
 
 /** Reads a shown quantity back in the document's unit. */
 export function read_quantity(text, unit) {
-  const [number, ...rest] = text.split("\u00a0");
+  const [number, ...rest] = text.replace(/\u2009([%°])$/u, "\u00a0$1").split("\u00a0");
   return read_number(number) * unit_factor(rest.join("\u00a0"), unit);
 }
 
