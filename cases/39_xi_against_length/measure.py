@@ -17,7 +17,7 @@ import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 DIAMETER = 0.019  # mm
-PLAQUES = {(104, 355): [], (77, 269): ["thick"]}  # L/D of L_N and L_W, variants of plaque.toml
+PLAQUES = {(104, 355): "1.5 mm", (77, 269): "2 mm"}  # L/D of L_N and L_W, thickness
 
 
 def classes(number_average, weight_average, count=24):
@@ -37,25 +37,23 @@ def classes(number_average, weight_average, count=24):
     return [[f"{length:.6g} mm", float(f"{number:.6g}")] for length, number in pairs]
 
 
-def molded_lengths(arguments, ratios, variants):
+def molded_lengths(arguments, ratios, thickness):
     """Fills the plaque with a distribution and gives both mean lengths at its places, m."""
     with tempfile.TemporaryDirectory() as scratch:
         text = (FOLDER / "plaque.toml").read_text(encoding="utf-8")
         distribution = json.dumps(classes(*(DIAMETER * ratio for ratio in ratios)))
         case = pathlib.Path(scratch, "distribution.toml")
         case.write_text(re.sub(r'(?m)^length = "1.976 mm"$', f"distribution = {distribution}", text), encoding="utf-8")
-        pathlib.Path(scratch, "variants.toml").write_bytes((FOLDER / "variants.toml").read_bytes())
         words = [arguments.program, "run", str(case), "--out", f"{scratch}/result", "--progress", "none"]
-        for variant in variants:
-            words += ["--variant", variant]
-        subprocess.run([*words, "--set", f"law.xi={arguments.xi}"], check=True, stdout=subprocess.DEVNULL)
+        words += ["--set", f"part.thickness={thickness}", "--set", f"law.xi={arguments.xi}"]
+        subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
         return json.loads(pathlib.Path(scratch, "result", "summary.json").read_text(encoding="utf-8"))
 
 
 def rows(arguments):
     noise = random.Random(arguments.seed)
-    for ratios, variants in PLAQUES.items():
-        summary = molded_lengths(arguments, ratios, variants)
+    for ratios, thickness in PLAQUES.items():
+        summary = molded_lengths(arguments, ratios, thickness)
         for ratio, mean in zip(ratios, ("L_N", "L_W")):
             for place in range(1, 5):
                 length = 1e3 * summary[f"Loc_{place}_{mean}_m"]

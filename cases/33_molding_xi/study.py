@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Draws the average error over xi of the four plaques and of all together (thesis figures 4.2, 4.6).
+
+    study.py [--program fiberfate] [--out results/33_molding_xi]
+
+Writes optima.csv and errors.png beside itself. A result that is there already is not run again. Needs matplotlib.
+"""
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import tomllib
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+
+
+def run(program, out, variant):
+    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
+    folder = out / (variant or "case")
+    if not (folder / "summary.json").exists():
+        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
+        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
+    return folder
+
+
+def rows(folder, name):
+    with open(folder / name, encoding="utf-8") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def write(name, table):
+    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, table[0])
+        writer.writeheader()
+        writer.writerows(table)
+
+
+def draw(folders, names):
+    figure, axis = plt.subplots(figsize=(7, 4), layout="constrained")
+    for folder in folders:
+        table = rows(folder, "sweep.csv")
+        for fit in sorted({row["fit"] for row in table}):
+            curve = [row for row in table if row["fit"] == fit]
+            apart = folder.name == "separately"
+            axis.plot([row["value"] for row in curve], [row["average_error_percent"] for row in curve], marker=".",
+                      color=f"C{int(fit)}" if apart else "black", label=names[int(fit)] if apart else "all together")
+    axis.set(xscale="log", xlabel="xi", ylabel="average error, %", ylim=(0, None))
+    axis.legend()
+    figure.savefig(FOLDER / "errors.png", dpi=100)
+
+
+def table(folders, names):
+    for folder in folders:
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        for name in names if folder.name == "separately" else ["all together"]:
+            key = "".join(c if c.isalnum() else "_" for c in name) + "_" if folder.name == "separately" else ""
+            yield {"plaque": name, **{text: f"{summary[key + item]:.4g}" for text, item in (
+                ("xi", "xi"), ("standard_error", "xi_standard_error"), ("lower", "xi_lower"), ("upper", "xi_upper"),
+                ("least_error_at", "sweep_best_value"), ("least_error_percent", "sweep_best_error_percent"))}}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", default="fiberfate")
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/33_molding_xi"))
+    arguments = parser.parse_args()
+    names = tomllib.loads((FOLDER / "case.toml").read_text(encoding="utf-8"))["conditions"]["names"]
+    folders = [run(arguments.program, arguments.out, variant) for variant in ("separately", "")]
+    write("optima.csv", list(table(folders, names)))
+    draw(folders, names)
+
+
+if __name__ == "__main__":
+    main()
