@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws the average error over xi and the optimum against L/D, coupled and not (thesis figures 4.6 to 4.9).
 
-    study.py [--program fiberfate] [--out results/39_xi_against_length]
+    study.py [--program fiberfate] [--out results/28_xi_against_length]
 
 Writes optimum.csv and optimum.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
@@ -63,7 +63,7 @@ def draw(folder, optima, names):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/39_xi_against_length"))
+    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/28_xi_against_length"))
     arguments = parser.parse_args()
     names = tomllib.loads((FOLDER / "case.toml").read_text(encoding="utf-8"))["conditions"]["names"]
     folder = run(arguments.program, arguments.out, "")
