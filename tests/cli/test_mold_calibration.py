@@ -136,13 +136,20 @@ def test_mistakes_are_explained(folder, old, new, told):
 
 def test_wrong_places_and_rows_are_explained(folder):
     write_case(folder, [["long", "Loc.9", "L_N", "4 mm"], *ROWS])
-    assert re.search(r"case\.toml:13:11: data\.lengths = .*'long' has no place \"Loc\.9\": add it to output\.places", complaint(folder))
+    assert re.search(r"case\.toml:13:11: data\.lengths = .*'long' has no place \"Loc\.9\": did you mean \"Loc\.1\"\?", complaint(folder))
     write_case(folder, [["long", "Loc.1", "L_M", "4 mm"]])
     assert "not a condition, a place, L_N or L_W, and at least one length" in complaint(folder)
     write_case(folder, [["long", "Loc.1", "L_N", "4 kg"]])
-    assert "kg" in complaint(folder)
+    assert '"4 kg": ' in complaint(folder)
     write_case(folder, [])
     assert re.search(r"data\.lengths = \[\]: nothing is given that was measured", complaint(folder))
+
+
+def test_a_coupled_search_begins_where_the_flow_is_computed(folder):
+    text = CASE.replace('["plaque.toml"]', '["plaque.toml", "fibers.coupling=informed_isotropic"]', 1) + SWEEP
+    write_case(folder, ROWS, text.replace("xi = 1e-3", "xi = 1e-4"))
+    told = r"case\.toml:5:6: law\.xi = 1e-4: not between sweep\.lower = 5e-4 \(line \d+\) and sweep\.upper = 8e-3 .*begin between them"
+    assert re.search(told, complaint(folder)), complaint(folder)
 
 
 def test_a_molding_that_does_not_fill_is_explained(folder):

@@ -42,7 +42,8 @@ std::optional<Complaint> append_lengths(const std::vector<TomlValue>& row,
                        {}};
   for (std::size_t i = 3; i < row.size(); ++i) {
     const Reading<double> length = read_quantity(row[i], {"m", "mm"}, Range::positive(1));
-    if (const auto* complaint = std::get_if<Complaint>(&length)) return *complaint;
+    if (const auto* complaint = std::get_if<Complaint>(&length))
+      return Complaint{fmt::format("\"{}\": {}", texts.text(i), complaint->what), complaint->remedy};
     one.samples.push_back(std::get<double>(length));
   }
   lengths.push_back(std::move(one));
@@ -64,7 +65,7 @@ std::vector<std::string> write_lengths(const std::vector<MoldedLengths>& lengths
 void validate_molding_keys(const CalibrationCase& values, CaseChecker& checker) {
   const CalibrationConditions& conditions = values.conditions;
   const std::size_t rows = conditions.moldings.size();
-  if (rows > 1 && rows != conditions.names.size())
+  if (rows > 1 && rows != conditions.names.size() && !conditions.names.empty())
     checker.error("conditions.moldings",
                   fmt::format("{} entries for {} conditions", rows, conditions.names.size()),
                   "give one for each, or one for all");
@@ -97,6 +98,15 @@ void validate_coupled(const CalibrationCase& values, const std::string& name, Ca
                               name),
                   "leave one parameter free and sweep that from sweep.lower to sweep.upper, or take "
                   "fibers.coupling = \"none\"");
+  if (!swept) return;
+  const std::vector<LawParameter>& parameters = chosen_law(attrition_menu(), values.law)->parameters;
+  const std::vector<double> start = law_values(attrition_menu(), values.law);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].name == sweep.parameter && !(*sweep.lower <= start[i] && start[i] <= *sweep.upper))
+      checker.error("law." + sweep.parameter,
+                    fmt::format("not between {} and {}; the coupled flow of '{}' is computed there only",
+                                checker.cite("sweep.lower"), checker.cite("sweep.upper"), name),
+                    "begin between them");
 }
 
 /// Checks one molding against the law and what was measured in it.
@@ -112,12 +122,15 @@ void validate_molding_of(const CalibrationCase& values, std::size_t condition, C
                   fmt::format("{} follows distributions, but '{}' has mean lengths", values.law.name, name),
                   "give a distribution or a length under [fibers] of the molding");
   if (fibers.coupling != CouplingChoice::none) validate_coupled(values, name, checker);
+  std::vector<std::string> places;
+  for (const NamedPlace& place : molding.output.places) places.push_back(place.name);
   for (const MoldedLengths& one : values.data.lengths) {
-    const auto is_here = [&one](const NamedPlace& place) { return place.name == one.place; };
-    if (one.condition == name &&
-        std::none_of(molding.output.places.begin(), molding.output.places.end(), is_here))
-      checker.error("data.lengths", fmt::format("'{}' has no place \"{}\"", name, one.place),
-                    "add it to output.places of the molding");
+    if (one.condition != name || std::find(places.begin(), places.end(), one.place) != places.end()) continue;
+    const std::string_view near = nearest_word(one.place, places);
+    checker.error("data.lengths", fmt::format("'{}' has no place \"{}\"", name, one.place),
+                  near.empty()
+                      ? "add it to output.places of the molding"
+                      : fmt::format("did you mean \"{}\"? Places are output.places of the molding", near));
   }
 }
 

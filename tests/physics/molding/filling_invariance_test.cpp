@@ -123,6 +123,39 @@ TEST(FiberCouplingInFlow, IsotropicFibersMultiplyThePressure) {
               0.05 * 0.1 * particles * 2 / 15);
 }
 
+/// Isotropic fibers raise the viscosity everywhere by one factor F, so that the velocities stay those of the
+/// plain melt. Lengths then are those in a plain melt of the matrix' viscosity, or of F times that where the
+/// suspension drags; half the term R gives 1 + (F - 1)/2.
+TEST(FiberCouplingInFlow, LengthsFeelTheViscosityThatIsChosen) {
+  const Rectangle r{0.08, 0.01, 0.002, 20, 2};
+  const double values[] = {0.5, 0.02, 2e9, 19e-6};
+  const auto length_after = [&](double eta, std::optional<FiberCoupling> coupling) {
+    FillingParams params =
+        isothermal(1e-6, viscosity("newtonian", {eta}), film_gate({0, 0, 0}, {0, 0.01, 0}));
+    params.fibers.class_lengths = {0.0015};
+    params.fibers.length_sets = {{"xi", make_attrition_law("unbreakable_length", values)}};
+    OrientationModel model = orientation_model_named("folgar_tucker", "linear");
+    model.constants.c_i = 0;  // without diffusion and stretching an isotropic state stays
+    model.constants.xi = 0;
+    params.fibers.orientation = model;
+    params.fibers.coupling = coupling;
+    Filling filling{ShellMesh(rectangle(r)), params};
+    while (!filling.finished()) filling.advance();
+    return filling.mean_lengths_of(0, filling.mesh().nearest_node({0.04, 0.005, 0}))[0];
+  };
+  FiberCoupling coupling{0.1, 19e-6, -1, 0, 100};
+  const double term = 0.1 * 100.0 * 100 / (3 * 0.5 * std::log(std::numbers::pi / 0.1)) * 2 / 15;
+  const double plain = length_after(100, {});
+  EXPECT_NEAR(length_after(100, coupling), plain, 1e-3 * plain);
+  coupling.drag = DragViscosity::suspension;
+  const double dragged = length_after(100 * (1 + term), {});
+  EXPECT_LT(dragged, 0.9 * plain);
+  // The front follows a step later.
+  EXPECT_NEAR(length_after(100, coupling), dragged, 0.01 * plain);
+  coupling.scale = 0.5;
+  EXPECT_NEAR(length_after(100, coupling), length_after(100 * (1 + term / 2), {}), 0.01 * plain);
+}
+
 /// Aligned fibers in shear along them are not stretched: pressure falls from isotropic towards plain melt.
 TEST(FiberCouplingInFlow, AlignmentLowersThePressure) {
   const Rectangle r{0.08, 0.01, 0.002, 20, 2};
