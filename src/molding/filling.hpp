@@ -40,7 +40,7 @@ class Filling {
   void keep_steps();
   /// Follows the lengths again through all steps that were kept, by laws of other constants, as many as there
   /// were; nothing else changes. That is what a filling with these laws gives, bitwise, where the flow does
-  /// not feel the fibers, at a hundredth of the cost; where it does, the flow stays that of the first laws.
+  /// not feel the fibers, at a tenth of the cost; where it does, the flow stays that of the first laws.
   /// Raises InputError where the steps were not kept from the start on.
   void follow_lengths_again(std::vector<LengthSet> sets);
 

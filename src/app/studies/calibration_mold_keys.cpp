@@ -16,7 +16,7 @@ namespace fiberfate {
 namespace {
 
 /// Of a kept step, node and layer of half the gap.
-constexpr double kept_bytes = 70, length_cost = 2.5e-8;  // bytes, s
+constexpr double kept_bytes = 70, length_cost = 4e-8;  // bytes, s
 /// Of a fit with the profiles of its parameters.
 constexpr double predictions = 300;
 
