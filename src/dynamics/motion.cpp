@@ -77,8 +77,9 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
   state.rod_steps += state.rod_count();
 }
 
-double displacement_error(const FiberState& state, double step, std::span<const Vec3> relative_velocity) {
-  std::vector<double> by_fiber(static_cast<std::size_t>(state.fiber_count()));
+double displacement_error(const FiberState& state, double step, std::vector<double>& by_fiber,
+                          std::span<const Vec3> relative_velocity) {
+  by_fiber.resize(static_cast<std::size_t>(state.fiber_count()));
   parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
     double sum = 0;

@@ -20,8 +20,8 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
                  std::span<double> travelled);
 
 /// Local error of the step in radii, (step/2) rms |w − w_last| / a; see step_control.hpp. Infinite when a
-/// velocity is not finite.
-[[nodiscard]] double displacement_error(const FiberState& state, double step,
+/// velocity is not finite. `by_fiber` is scratch that holds the fibers' shares.
+[[nodiscard]] double displacement_error(const FiberState& state, double step, std::vector<double>& by_fiber,
                                         std::span<const Vec3> relative_velocity);
 
 /// Largest speed of every rod relative to the fluid (one entry a node, rods stand at their first node), m/s.

@@ -91,6 +91,7 @@ struct Simulation::Parts {
   std::vector<double> tension;
   std::vector<double> margin;
   std::vector<double> travelled;
+  std::vector<double> error_by_fiber;
   bool list_is_stale = true;
   // Results
   std::vector<BreakEvent> events;
@@ -137,7 +138,7 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
                                step,  &loads.pairs(), velocity,      parameters.drag == DragLaw::ellipsoid};
     solver.solve(problem, {velocity, tension});
   }
-  return displacement_error(state, step, velocity);
+  return displacement_error(state, step, error_by_fiber, velocity);
 }
 
 void Simulation::Parts::find_contacts(const Flow& now, double step) {

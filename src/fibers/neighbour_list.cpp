@@ -55,10 +55,11 @@ void NeighbourList::build(const FiberState& state, double range, const std::vect
                                  longest * longest / range_);
   const Index bins = grid_.bin_count();
   chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
+  std::vector<PairCollector> collectors(static_cast<std::size_t>(thread_count()), {state, *this, widest});
   parallel_for(static_cast<std::ptrdiff_t>(chunks_.size()), [&](std::ptrdiff_t c) {
     const Index begin = static_cast<Index>(c) * chunk_size;
-    PairCollector(state, *this, widest)
-        .run(begin, std::min(begin + chunk_size, bins), chunks_[static_cast<std::size_t>(c)]);
+    collectors[static_cast<std::size_t>(omp_get_thread_num())].run(begin, std::min(begin + chunk_size, bins),
+                                                                   chunks_[static_cast<std::size_t>(c)]);
   });
 }
 
