@@ -95,17 +95,6 @@ double displacement_error(const FiberState& state, double step, std::vector<doub
   return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-void largest_speeds(const FiberState& state, std::span<double> speed) {
-  parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
-    const Index fiber = static_cast<Index>(f);
-    const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
-    for (std::size_t n = begin; n < static_cast<std::size_t>(state.end_node(fiber)); ++n) {
-      speed[n] = state.relative_velocity[n].norm();
-      if (n > begin) speed[n - 1] = std::max(speed[n - 1], speed[n]);
-    }
-  });
-}
-
 bool tidy_cell(FiberState& state) {
   const bool skewed = is_skewed(state.cell);
   if (!skewed && (state.step % steps_between_wraps != 0 || !has_strayed(state))) return false;

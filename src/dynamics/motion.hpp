@@ -24,9 +24,6 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
 [[nodiscard]] double displacement_error(const FiberState& state, double step, std::vector<double>& by_fiber,
                                         std::span<const Vec3> relative_velocity);
 
-/// Largest speed of every rod relative to the fluid (one entry a node, rods stand at their first node), m/s.
-void largest_speeds(const FiberState& state, std::span<double> speed);
-
 /// Makes the cell compact again and brings strayed fibers back into it; tells whether anything was done,
 /// after which images are no longer those they were. Depends on the state alone: restarts change nothing.
 [[nodiscard]] bool tidy_cell(FiberState& state);
