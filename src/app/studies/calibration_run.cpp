@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <memory>
 
+#include "app/progress.hpp"
 #include "app/result_folder.hpp"
 #include "app/run_log.hpp"
 #include "app/studies/calibration_data.hpp"
@@ -63,6 +65,19 @@ class OneFit {
         number_(number),
         problem_(pose_calibration(values, series_)) {}
 
+  /// Shows that the run is alive, where a prediction is a filling.
+  void show_in(Progress& progress) {
+    progress_ = &progress;
+    const std::string name =
+        prefix_.empty() ? "all moldings" : values_.conditions.names[series_.front().condition];
+    problem_.model = [model = problem_.model, &progress, name, count = std::make_shared<int>(0)](
+                         std::span<const double> parameters, std::span<double> predictions) {
+      progress.show([&] { return fmt::format("{}: {} predictions", name, *count); });
+      model(parameters, predictions);
+      ++*count;
+    };
+  }
+
   void run(Tables& tables, RunSummary& summary, RunLog& log) {
     FitOptions options;
     options.level = values_.search.level;
@@ -112,6 +127,7 @@ class OneFit {
   }
 
   void append_findings(RunSummary& summary, RunLog& log) const {
+    if (progress_ != nullptr) progress_->end_line();
     std::vector<std::string> texts;
     for (const Finding& finding : result_.findings) texts.push_back(finding.text);
     // The strength enters as a ratio to the stress only: which unit it was given in cannot be seen from the
@@ -237,6 +253,7 @@ class OneFit {
   double number_;
   FitProblem problem_;
   FitResult result_;
+  Progress* progress_ = nullptr;  ///< where the run is shown; null: nowhere
 };
 
 std::vector<MeasuredSeries> series_of(const std::vector<MeasuredSeries>& all, std::size_t condition) {
@@ -257,7 +274,7 @@ void write_tables(const ResultFolder& folder, const Tables& tables) {
 
 }  // namespace
 
-StopReason run_calibration(const CalibrationCase& values, const RunOptions&, ResultFolder& folder) {
+StopReason run_calibration(const CalibrationCase& values, const RunOptions& options, ResultFolder& folder) {
   const double begin = wall_seconds();
   RunLog log(folder);
   RunSummary summary;
@@ -266,16 +283,21 @@ StopReason run_calibration(const CalibrationCase& values, const RunOptions&, Res
   summary.own.emplace_back("law", calibrated_law(values).name);
   const std::vector<MeasuredSeries> series = read_measurements(values);
   Tables tables;
+  Progress progress(options.progress);
+  const auto run_fit = [&](OneFit fit) {
+    if (calibrates_in_molds(values)) fit.show_in(progress);
+    fit.run(tables, summary, log);
+  };
   if (values.search.scope == FitScope::together) {
-    OneFit(values, series, "", 0).run(tables, summary, log);
+    run_fit(OneFit(values, series, "", 0));
   } else {
     for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
       const std::vector<MeasuredSeries> some = series_of(series, i);
       if (some.empty()) continue;
-      OneFit(values, some, key_of(values.conditions.names[i]) + "_", static_cast<double>(i))
-          .run(tables, summary, log);
+      run_fit(OneFit(values, some, key_of(values.conditions.names[i]) + "_", static_cast<double>(i)));
     }
   }
+  progress.end_line();
   write_tables(folder, tables);
   summary.wall_s = wall_seconds() - begin;
   summary.cpu_s = cpu_seconds();
