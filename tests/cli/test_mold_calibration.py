@@ -159,3 +159,13 @@ def test_a_molding_that_does_not_fill_is_explained(folder):
     other = (CASES / "25_xi_sweep" / "case.toml").as_posix()
     write_case(folder, ROWS, CASE.replace('["plaque.toml"]', f'["{other}"]', 1))
     assert 'is a case of the study calibration' in complaint(folder)
+
+
+def test_four_parameters_come_out_of_six_moldings(tmp_path):
+    run("run", CASES / "29_stress_law_in_mold" / "case.toml", "--out", tmp_path / "r", "--progress", "none")
+    values = summary(tmp_path / "r")
+    for name, true in (("lambda", 4.4e-3), ("alpha", 0.8), ("k_0", 4.3e5), ("beta", 1.2)):
+        assert values[f"{name}_lower"] < true < values[f"{name}_upper"], name
+    assert values["alpha_standard_error"] < 0.05 and values["beta_standard_error"] < 0.03
+    assert values["noise_scale"] == pytest.approx(1, abs=3 / (2 * 188) ** 0.5)
+    assert "hardly told apart" in values["finding_1"]
