@@ -95,8 +95,10 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
   else if (sweep.spacing == ParameterScale::logarithmic && !(*sweep.lower > 0))
     checker.error("sweep.lower", "not positive", "give a positive value, or spacing = \"linear\"");
   if (values.fibers.coupling != CouplingChoice::none)
-    checker.warn("sweep.parameter", "the flow is coupled to the fibers of [law] only",
-                 "for a swept flow run one case a value, --set law." + sweep.parameter + "=VALUE");
+    checker.warn(
+        "sweep.parameter", "the flow is coupled to the fibers of [law] only",
+        "where every value shall have its own flow, name this case under conditions.moldings of the study "
+        "calibration");
 }
 
 /// Finds the key of the case that a fault of the solver's parameters belongs to.
