@@ -34,12 +34,12 @@ def long_runs(out):
 
 
 def short_runs(out, prefix, pairs, variant=None):
-    """Five seconds with some force constants and critical radii."""
+    """Five seconds at 30 % by weight with some force constants and critical radii."""
     runs = {}
     for constant, radius in pairs:
         name = f"{prefix}_{constant}_{radius}"
         overrides = {**SHORT, "contact.force_constant": f"{constant} N/m", "breakage.critical_radius": f"{radius} um"}
-        runs[name] = Run(CASES["43wt"], out / name, overrides, variant)
+        runs[name] = Run(CASES["30wt"], out / name, overrides, variant)
     return runs
 
 

@@ -26,4 +26,11 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
+/// The same for iterations of very different length: threads take them eight at a time as they get free.
+template <class Body>
+void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
+#pragma omp parallel for schedule(dynamic, 8)
+  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
+}
+
 }  // namespace fiberfate

@@ -83,7 +83,7 @@ void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDra
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
   systems_.resize(std::max(systems_.size(), static_cast<std::size_t>(thread_count())));
-  parallel_for(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
+  parallel_for_uneven(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
     const ChainGroup& group = groups_[static_cast<std::size_t>(g)];
     ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];
     system.reserve(group.nodes);

@@ -2,7 +2,6 @@
 #include "dynamics/pair_forces.hpp"
 
 #include <atomic>
-#include <utility>
 
 #include "base/threads.hpp"
 #include "fibers/rod_pairs.hpp"
@@ -37,28 +36,29 @@ void PairForces::count_forces(const ContactSet& contacts) {
 }
 
 void PairForces::count_shares(const ContactSet& contacts, std::size_t nodes) {
-  next_.assign(nodes, 0);
+  count_.assign(nodes, 0);
+  rank_.resize(shares_.size());
   const bool is_alone = thread_count() == 1;
   parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
     const ContactChunk& chunk = contacts[static_cast<std::size_t>(c)];
+    auto share = static_cast<std::size_t>(2 * chunk_begin_[static_cast<std::size_t>(c)]);
     for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
-      take_one(next_[static_cast<std::size_t>(chunk.first[i])], is_alone);
-      take_one(next_[static_cast<std::size_t>(chunk.second[i])], is_alone);
+      rank_[share++] = take_one(count_[static_cast<std::size_t>(chunk.first[i])], is_alone);
+      rank_[share++] = take_one(count_[static_cast<std::size_t>(chunk.second[i])], is_alone);
     }
   });
   begin_.resize(nodes + 1);
   Index sum = 0;
   for (std::size_t rod = 0; rod < nodes; ++rod) {
     begin_[rod] = sum;
-    sum += std::exchange(next_[rod], sum);
+    sum += count_[rod];
   }
   begin_[nodes] = sum;
 }
 
 void PairForces::place_shares(const ContactSet& contacts) {
-  const bool is_alone = thread_count() == 1;
   const auto put = [&](Index rod, const Share& share) {
-    const Index at = take_one(next_[static_cast<std::size_t>(rod)], is_alone);
+    const Index at = begin_[static_cast<std::size_t>(rod)] + rank_[static_cast<std::size_t>(share.number)];
     shares_[static_cast<std::size_t>(at)] = share;
   };
   parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
@@ -74,7 +74,7 @@ void PairForces::place_shares(const ContactSet& contacts) {
 }
 
 void PairForces::sort_shares() {
-  parallel_for(static_cast<std::ptrdiff_t>(next_.size()), [&](std::ptrdiff_t rod) {
+  parallel_for(static_cast<std::ptrdiff_t>(count_.size()), [&](std::ptrdiff_t rod) {
     const auto r = static_cast<std::size_t>(rod);
     // Rods have a few shares at most: insertion is fastest.
     for (Index i = begin_[r] + 1; i < begin_[r + 1]; ++i) {

@@ -63,7 +63,8 @@ class PairForces {
   std::vector<Index> chunk_begin_;
   std::vector<Share> shares_;  // rod after rod
   std::vector<Index> begin_;   // of each rod's shares
-  std::vector<Index> next_;    // where its next one goes
+  std::vector<Index> count_;   // of each rod's shares
+  std::vector<Index> rank_;    // of each share among its rod's, as they came
 };
 
 }  // namespace fiberfate
