@@ -42,7 +42,8 @@ def draw_lengths(here):
                            color=f"C{i}")
         axes.set(title=title, xlabel="time (s)", xlim=(0, None), ylim=(0, 2.6))
     panels[0].set_ylabel("fiber length (mm)")
-    panels[0].legend(fontsize=7)
+    for axes in panels:
+        axes.legend(fontsize=7)
     save(figure, here / "lengths.svg")
 
 
@@ -54,10 +55,10 @@ def draw_table_4(here):
         for i, constant in enumerate((250, 500, 750, 1665)):
             values = table.get(f"table_4_{constant}_{radius}_L_N_m") or table.get(f"empirical_{constant}_{radius}_L_N_m")
             if values:
-                curves(axes, table["time_s"], [1e3 * v for v in values], f"A = {constant} N/m", color=f"C{i}")
+                curves(axes, table["time_s"], [v and 1e3 * v for v in values], f"A = {constant} N/m", color=f"C{i}")
         values = table.get(f"ramp_500_{radius}_L_N_m")
         if values:
-            curves(axes, table["time_s"], [1e3 * v for v in values], "A = 500 N/m, ramp", color="C1", ls="--")
+            curves(axes, table["time_s"], [v and 1e3 * v for v in values], "A = 500 N/m, ramp", color="C1", ls="--")
         axes.set(title=f"critical radius {radius} µm", xlabel="time (s)")
         axes.legend(fontsize=7)
     panels[0].set_ylabel("number-average length (mm)")
@@ -73,7 +74,8 @@ def draw_bars(here, name, x_key, x_scale, x_label, y_label):
             if f"{weight}_{law}" in table:
                 axes.step(x, table[f"{weight}_{law}"], where="mid", label=label)
         axes.set(title=title, xlabel=x_label, ylabel=y_label)
-    panels[0].legend(fontsize=7)
+    for axes in panels:
+        axes.legend(fontsize=7)
     save(figure, here / f"{name}.svg")
 
 
@@ -85,7 +87,8 @@ def draw_near_critical(here):
         for law, label in LABELS.items():
             curves(axes, table["time_s"], table.get(f"{weight}_{law}", []), label)
         axes.set(title=title, xlabel="time (s)", ylabel="hinges within 50 µm", xlim=(0, None))
-    panels[0].legend(fontsize=7)
+    for axes in panels:
+        axes.legend(fontsize=7)
     save(figure, here / "near_critical.svg")
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the runs behind thesis figures 3.21 to 3.32, at both concentrations, and their tables and figures.
 
-    study.py [--program fiberfate] [--out results/couette] [--jobs 2] [--only long table_4 ramp empirical]
+    study.py [--program fiberfate] [--out results/couette] [--jobs 2] [--only long table_4 ramp empirical] [--tables]
 
 Needs python3-h5py, and python3-matplotlib for the figures. Results that are there already are not run again, and a run
 that was stopped is continued. Tables and figures go beside this script.
@@ -113,7 +113,7 @@ def tabulate_final_lengths(runs, width=0.1e-3):
 
 
 def tabulate(groups):
-    if "long" in groups:
+    if groups.get("long"):
         tabulate_lengths("lengths.csv", groups["long"], [0, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 5, 7, *range(10, 151, 5)])
         tabulate_break_radii(groups["long"])
         tabulate_near_critical(groups["long"])
@@ -127,11 +127,16 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add_arguments(parser, "results/couette")
     parser.add_argument("--only", nargs="+", choices=("long", "table_4", "ramp", "empirical"))
+    parser.add_argument("--tables", action="store_true", help="run nothing: tables and figures of what there is, unfinished too")
     arguments = parser.parse_args()
     groups = parts(arguments.out)
     if arguments.only:
         groups = {name: groups[name] for name in arguments.only}
-    make_all([run for runs in groups.values() for run in runs.values()], arguments.program, arguments.jobs)
+    if arguments.tables:
+        groups = {part: {name: run for name, run in runs.items() if (run.folder / "breaks.csv").exists()}
+                  for part, runs in groups.items()}
+    else:
+        make_all([run for runs in groups.values() for run in runs.values()], arguments.program, arguments.jobs)
     tabulate(groups)
     draw(HERE)
 
