@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <sstream>
 
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
@@ -89,6 +90,19 @@ const char* const thickness_data = R"($ElementData
 $EndElementData
 )";
 
+/// The mesh with data on its elements, which are told by `section`.
+std::string square_with_data(const char* section) {
+  std::ostringstream text;
+  text << square_msh;
+  std::istringstream lines(thickness_data);
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "$ElementData") line = std::string("$") + section;
+    if (line == "$EndElementData") line = std::string("$End") + section;
+    text << line << '\n';
+  }
+  return text.str();
+}
+
 std::string data_message_for(const std::string& path, const std::string& name) {
   try {
     (void)read_element_data(path, name);
@@ -101,7 +115,7 @@ std::string data_message_for(const std::string& path, const std::string& name) {
 TEST(SurfaceFile, ReadsNumbersOfElementsAndTheirData) {
   const ScratchFolder folder;
   const std::string path = folder / "part.msh";
-  replace_file(path, std::string(square_msh) + thickness_data);
+  replace_file(path, square_with_data("ElementData"));
   EXPECT_EQ(read_surface(path, 1e-3).numbers, (std::vector<std::size_t>{1, 2}));
   const ElementData data = read_element_data(path, "wall");
   ASSERT_EQ(data.elements.size(), 2U);
@@ -110,10 +124,7 @@ TEST(SurfaceFile, ReadsNumbersOfElementsAndTheirData) {
             std::string::npos);
   replace_file(path, square_msh);
   EXPECT_NE(data_message_for(path, "wall").find("add a section $ElementData"), std::string::npos);
-  std::string at_nodes = std::string(square_msh) + thickness_data;
-  for (std::size_t at; (at = at_nodes.find("ElementData")) != std::string::npos;)
-    at_nodes.replace(at, 11, "NodeData");
-  replace_file(path, at_nodes);
+  replace_file(path, square_with_data("NodeData"));
   EXPECT_NE(data_message_for(path, "wall").find("NodeData"), std::string::npos);
 }
 
