@@ -187,7 +187,7 @@ std::vector<MeasuredSeries> molded_series(const CalibrationCase& values) {
     const bool number = row.mean == MeasuredMean::number_average;
     MeasuredSeries series;
     series.name = fmt::format("{}: {} at {}", row.condition, number ? "L_N" : "L_W", row.place);
-    series.unit = "m";
+    series.unit = std::string("m");  // gcc 12 warns falsely of a literal assigned here
     series.condition = static_cast<std::size_t>(condition - names.begin());
     series.observed = number ? Observed::number_average : Observed::weight_average;
     series.place = row.place;
