@@ -1,12 +1,10 @@
 """Runs the cases of a study: several at a time, each once, and on from where an earlier attempt stopped."""
+import argparse
 import concurrent.futures
 import csv
 import json
 import pathlib
 import subprocess
-
-import h5py
-import numpy as np
 
 
 class Run:
@@ -20,10 +18,9 @@ class Run:
         self.until = until
 
     def is_done(self):
-        summary = self.folder / "summary.json"
-        if not summary.exists():
+        if not (self.folder / "summary.json").exists():
             return False
-        return json.loads(summary.read_text(encoding="utf-8"))["stop_reason"] in ("done", "time_reached")
+        return self.summary().get("stop_reason") not in ("signal", "steps_reached")
 
     def command(self, program):
         if any(self.folder.glob("checkpoint*")):
@@ -35,11 +32,13 @@ class Run:
             words += ["--set", f"{key}={json.dumps(value)}"]
         return words
 
-    def make(self, program, threads=1):
+    def make(self, program, threads=None):
         """Makes the result unless it is there; stops the study when the program fails."""
         if self.is_done():
             return self
-        words = self.command(program) + ["--threads", str(threads), "--progress", "none"]
+        words = self.command(program) + ["--progress", "none"]
+        if threads:
+            words += ["--threads", str(threads)]
         if self.until:
             words += ["--until", self.until]
         subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
@@ -47,65 +46,50 @@ class Run:
         return self
 
     def summary(self):
-        return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+        return read_summary(self.folder)
 
 
 def make_all(runs, program, jobs):
     """Makes the results of all runs, `jobs` at a time on one thread each, in the order given."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        return list(pool.map(lambda run: run.make(program), runs))
+        return list(pool.map(lambda run: run.make(program, threads=1), runs))
 
 
-def add_arguments(parser, out):
-    """Adds the options that every study has."""
+def run_variants(case, arguments, variants):
+    """Makes the results of some variants of a case ("": the case as it stands), and returns their folders."""
+    return [Run(case, arguments.out / (variant or "case"), variant=variant).make(arguments.program).folder
+            for variant in variants]
+
+
+def read_arguments(description, out, jobs=None):
+    """Reads the options that most studies have; `jobs` is how many runs go on at a time, for studies of many."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_arguments(parser, out, jobs)
+    return parser.parse_args()
+
+
+def add_arguments(parser, out, jobs=None):
+    """Adds these options."""
     parser.add_argument("--program", default="fiberfate")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path(out))
-    parser.add_argument("--jobs", type=int, default=2, help="runs at a time, on one thread each")
+    if jobs:
+        parser.add_argument("--jobs", type=int, default=jobs, help="runs at a time, on one thread each")
 
 
-def read_series(folder):
-    """Reads series.csv as one dictionary of numbers a row."""
-    with open(pathlib.Path(folder) / "series.csv", encoding="utf-8") as file:
+def read_summary(folder):
+    """Reads summary.json."""
+    return json.loads((pathlib.Path(folder) / "summary.json").read_text(encoding="utf-8"))
+
+
+def read_table(path):
+    """Reads a table of numbers as one dictionary a row."""
+    with open(path, encoding="utf-8") as file:
         return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
-def count_frames(folder):
-    """Counts the frames of a result."""
-    with h5py.File(pathlib.Path(folder) / "result.vtkhdf") as file:
-        return len(file["VTKHDF/NumberOfPoints"])
-
-
-def frame_times(folder):
-    """Returns the times of the frames, s."""
-    with h5py.File(pathlib.Path(folder) / "result.vtkhdf") as file:
-        return file["VTKHDF/Steps/Values"][:]
-
-
-def fibers_of(folder, frame):
-    """Returns the nodes of every fiber of a frame, m."""
-    with h5py.File(pathlib.Path(folder) / "result.vtkhdf") as file:
-        data = file["VTKHDF"]
-        frame = range(len(data["NumberOfPoints"]))[frame]
-        first = int(data["NumberOfPoints"][:frame].sum())
-        points = data["Points"][first : first + int(data["NumberOfPoints"][frame])]
-        begin = int(data["Lines/NumberOfCells"][:frame].sum()) + frame
-        offsets = data["Lines/Offsets"][begin : begin + int(data["Lines/NumberOfCells"][frame]) + 1]
-    return [points[a:b] for a, b in zip(offsets[:-1], offsets[1:])]
-
-
-def hinge_radii(folder, frame):
-    """Returns the radii of curvature of all hinges of a frame, m: of the circle through three neighbouring nodes."""
-    radii = []
-    for nodes in fibers_of(folder, frame):
-        before = nodes[1:-1] - nodes[:-2]
-        after = nodes[2:] - nodes[1:-1]
-        across = np.linalg.norm(np.cross(before, after), axis=1)
-        sides = np.prod([np.linalg.norm(side, axis=1) for side in (before, after, before + after)], axis=0)
-        with np.errstate(divide="ignore"):
-            radii.append(sides / (2 * across))
-    return np.concatenate(radii)
-
-
-def fiber_lengths(folder, frame):
-    """Returns the lengths of all fibers of a frame, m."""
-    return np.array([np.linalg.norm(np.diff(nodes, axis=0), axis=1).sum() for nodes in fibers_of(folder, frame)])
+def write_table(path, rows):
+    """Writes dictionaries with the same keys as a table."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows(rows)

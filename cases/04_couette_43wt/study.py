@@ -16,8 +16,8 @@ from figures import draw
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
-from study_runs import (Run, add_arguments, count_frames, fiber_lengths, frame_times, hinge_radii,  # noqa: E402
-                        make_all, read_series)
+from fiber_frames import count_frames, fiber_lengths, frame_times, hinge_radii  # noqa: E402
+from study_runs import Run, add_arguments, make_all, read_table  # noqa: E402
 
 CASES = {"43wt": HERE / "case.toml", "30wt": HERE.parent / "05_couette_30wt" / "case.toml"}
 LAWS = ("fixed", "ramp", "probability")
@@ -50,7 +50,7 @@ def parts(out):
             "empirical": short_runs(out, "empirical", [(1665, 300)])}
 
 
-def write_table(name, header, rows):
+def write_columns(name, header, rows):
     with open(HERE / name, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(header)
@@ -67,10 +67,10 @@ def tabulate_lengths(name, runs, times):
     """L_N and L_W in m against time, a column a run."""
     columns = {"time_s": times}
     for run_name, run in runs.items():
-        series = read_series(run.folder)
+        series = read_table(run.folder / "series.csv")
         columns[f"{run_name}_L_N_m"] = at_times(series, "L_N_m", times)
         columns[f"{run_name}_L_W_m"] = at_times(series, "L_W_m", times)
-    write_table(name, columns, zip(*columns.values()))
+    write_columns(name, columns, zip(*columns.values()))
 
 
 def tabulate_break_radii(runs, until=60, width=25e-6):
@@ -82,7 +82,7 @@ def tabulate_break_radii(runs, until=60, width=25e-6):
             radii = [float(row["radius_m"]) for row in csv.DictReader(file) if float(row["time_s"]) <= until]
         counts, _ = np.histogram(radii, edges)
         columns[name] = counts
-    write_table("break_radii.csv", columns, zip(*columns.values()))
+    write_columns("break_radii.csv", columns, zip(*columns.values()))
 
 
 def tabulate_near_critical(runs):
@@ -97,7 +97,7 @@ def tabulate_near_critical(runs):
             counts.append(int(((radii >= low) & (radii < high)).sum()))
         columns[name] = dict(zip((round(t, 6) for t in frame_times(run.folder)), counts))
     times = sorted(set().union(*columns.values()))
-    write_table("near_critical.csv", ["time_s", *columns],
+    write_columns("near_critical.csv", ["time_s", *columns],
                 [[t, *(columns[name].get(t, "") for name in columns)] for t in times])
 
 
@@ -109,7 +109,7 @@ def tabulate_final_lengths(runs, width=0.1e-3):
         # Lengths are whole numbers of rods: a bin holds the fibers of one such number.
         lengths = fiber_lengths(run.folder, -1)
         columns[name], _ = np.histogram(lengths - 0.5 * width, edges)
-    write_table("final_lengths.csv", columns, zip(*columns.values()))
+    write_columns("final_lengths.csv", columns, zip(*columns.values()))
 
 
 def tabulate(groups):
@@ -125,7 +125,7 @@ def tabulate(groups):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_arguments(parser, "results/couette")
+    add_arguments(parser, "results/couette", jobs=2)
     parser.add_argument("--only", nargs="+", choices=("long", "table_4", "ramp", "empirical"))
     parser.add_argument("--tables", action="store_true", help="run nothing: tables and figures of what there is, unfinished too")
     arguments = parser.parse_args()

@@ -8,10 +8,12 @@ assumption and stress to OUT/threshold.csv. A result that is there already is no
 """
 import argparse
 import csv
-import json
 import pathlib
 import statistics
-import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from study_runs import Run, add_arguments, read_table  # noqa: E402
 
 CASE = pathlib.Path(__file__).resolve().parent / "case.toml"
 STRESSES = (1000, 2500, 3400, 5000)  # Pa, at 200 Pa s
@@ -34,15 +36,8 @@ ASSUMPTIONS = {
 
 def run(program, folder, overrides):
     """Runs the case once and returns its summary and the smallest radius of curvature it ever showed, m."""
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(CASE), "--out", str(folder), "--overwrite", "--threads", "1", "--progress", "none"]
-        for key, value in overrides.items():
-            words += ["--set", f"{key}={json.dumps(value)}"]
-        subprocess.run(words, check=True)
-    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    with open(folder / "series.csv", encoding="utf-8") as file:
-        radius = min(float(row["min_radius_m"]) for row in csv.DictReader(file))
-    return summary, radius
+    result = Run(CASE, folder, overrides).make(program, threads=1)
+    return result.summary(), min(row["min_radius_m"] for row in read_table(folder / "series.csv"))
 
 
 def study(arguments):
@@ -63,8 +58,7 @@ def study(arguments):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/06_stress_threshold"))
+    add_arguments(parser, "results/06_stress_threshold")
     parser.add_argument("--seeds", type=int, default=3)
     arguments = parser.parse_args()
     arguments.out.mkdir(parents=True, exist_ok=True)

@@ -8,7 +8,6 @@ for each assumption the mean over the clusters of what is observed at the end, a
 there already is not run again. The reference, a fixed step of a twentieth, takes most of the time.
 """
 import argparse
-import csv
 import math
 import pathlib
 import re
@@ -16,7 +15,8 @@ import statistics
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from study_runs import Run, add_arguments, hinge_radii, make_all, read_series  # noqa: E402
+from fiber_frames import hinge_radii  # noqa: E402
+from study_runs import Run, add_arguments, make_all, read_table, write_table  # noqa: E402
 
 CASE = pathlib.Path(__file__).resolve().parent / "case.toml"
 
@@ -53,7 +53,7 @@ def run_of(arguments, name, overrides, seed):
 
 def observe(run):
     """Returns what a run ends with, lengths in mm."""
-    series = read_series(run.folder)
+    series = read_table(run.folder / "series.csv")
     summary = run.summary()
     radii = hinge_radii(run.folder, frame=-1)
     half = series[len(series) // 4]
@@ -91,7 +91,7 @@ def summarise(name, observed, of_the_case):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_arguments(parser, "results/14_couette_convergence")
+    add_arguments(parser, "results/14_couette_convergence", jobs=2)
     parser.add_argument("--replicas", type=int, default=5)
     arguments = parser.parse_args()
     chosen = ASSUMPTIONS
@@ -103,10 +103,7 @@ def main():
     observed = {name: [observe(run) for run in runs[name]] for name in chosen}
     of_the_case = observed.get("as the case") or next(iter(observed.values()))
     rows = [summarise(name, observed[name], of_the_case) for name in chosen]
-    with open(arguments.out / "convergence.csv", "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, rows[0])
-        writer.writeheader()
-        writer.writerows(rows)
+    write_table(arguments.out / "convergence.csv", rows)
 
 
 if __name__ == "__main__":

@@ -6,16 +6,17 @@
 The fibers at the gates are log-normal with the L_N and L_W of thesis table 16, in 24 classes of length; what is measured is
 L_N and L_W of all of them. Prints the rows of data.lengths; --write puts them into case.toml.
 """
-import argparse
 import json
 import math
 import pathlib
-import random
 import re
-import subprocess
+import sys
 import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+from synthetic_lengths import Samples, read_arguments, summary_of, tell  # noqa: E402
+
 DIAMETER = 0.019  # mm
 PLAQUES = {(104, 355): "1.5 mm", (77, 269): "2 mm"}  # L/D of L_N and L_W, thickness
 
@@ -44,41 +45,23 @@ def molded_lengths(arguments, ratios, thickness):
         distribution = json.dumps(classes(*(DIAMETER * ratio for ratio in ratios)))
         case = pathlib.Path(scratch, "distribution.toml")
         case.write_text(re.sub(r'(?m)^length = "1.976 mm"$', f"distribution = {distribution}", text), encoding="utf-8")
-        words = [arguments.program, "run", str(case), "--out", f"{scratch}/result", "--progress", "none"]
-        words += ["--set", f"part.thickness={thickness}", "--set", f"law.xi={arguments.xi}"]
-        subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
-        return json.loads(pathlib.Path(scratch, "result", "summary.json").read_text(encoding="utf-8"))
+        return summary_of(arguments.program, case, [f"part.thickness={thickness}", f"law.xi={arguments.xi}"])
 
 
 def rows(arguments):
-    noise = random.Random(arguments.seed)
+    samples = Samples(arguments)
     for ratios, thickness in PLAQUES.items():
         summary = molded_lengths(arguments, ratios, thickness)
         for ratio, mean in zip(ratios, ("L_N", "L_W")):
             for place in range(1, 5):
-                length = 1e3 * summary[f"Loc_{place}_{mean}_m"]
-                samples = [length * (1 + noise.gauss(0, arguments.noise)) for _ in range(arguments.samples)]
-                texts = ", ".join(f'"{sample:.3f} mm"' for sample in samples)
+                texts = samples.texts(1e3 * summary[f"Loc_{place}_{mean}_m"])
                 for coupled in ("", " coupled"):
                     yield f'  ["L/D {ratio}{coupled}", "Loc.{place}", "{mean}", {texts}],'
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--xi", type=float, default=2e-3)
-    parser.add_argument("--noise", type=float, default=0.05)
-    parser.add_argument("--samples", type=int, default=8)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", action="store_true")
-    arguments = parser.parse_args()
-    measured = "\n".join(rows(arguments))
-    print(measured)
-    if arguments.write:
-        file = FOLDER / "case.toml"
-        text = file.read_text(encoding="utf-8")
-        file.write_text(re.sub(r"(?s)(\nlengths = \[[^\n]*synthetic[^\n]*\n)(.*?\n)?\]",
-                               lambda found: found[1] + measured + "\n]", text), encoding="utf-8")
+    arguments = read_arguments(__doc__, xi=2e-3)
+    tell(rows(arguments), FOLDER / "case.toml", arguments)
 
 
 if __name__ == "__main__":

@@ -5,10 +5,8 @@
 
 Writes optimum.csv and optimum.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
 import pathlib
-import subprocess
+import sys
 import tomllib
 
 import matplotlib
@@ -17,32 +15,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-
-
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_table, run_variants, write_table  # noqa: E402
 
 
 def draw(folder, optima, names):
     figure, axes = plt.subplots(1, 2, figsize=(11, 4), layout="constrained")
-    sweep = rows(folder, "sweep.csv")
+    sweep = read_table(folder / "sweep.csv")
     for row in optima:
         curve = [one for one in sweep if one["fit"] == row["fit"]]
         axes[0].plot([one["value"] for one in curve], [one["average_error_percent"] for one in curve],
@@ -61,14 +40,11 @@ def draw(folder, optima, names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/28_xi_against_length"))
-    arguments = parser.parse_args()
+    arguments = read_arguments(__doc__, "results/28_xi_against_length")
     names = tomllib.loads((FOLDER / "case.toml").read_text(encoding="utf-8"))["conditions"]["names"]
-    folder = run(arguments.program, arguments.out, "")
-    optima = rows(folder, "optimum.csv")
-    write("optimum.csv", [{"case": names[int(row["fit"])], **{key: f"{value:.4g}" for key, value in row.items() if key != "fit"}}
+    [folder] = run_variants(FOLDER / "case.toml", arguments, [""])
+    optima = read_table(folder / "optimum.csv")
+    write_table(FOLDER / "optimum.csv", [{"case": names[int(row["fit"])], **{key: f"{value:.4g}" for key, value in row.items() if key != "fit"}}
                           for row in optima])
     draw(folder, optima, names)
 

@@ -5,11 +5,8 @@
 
 Writes table_16.csv and gap_profiles.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
-import json
 import pathlib
-import subprocess
+import sys
 
 import matplotlib
 
@@ -17,34 +14,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_summary, read_table, run_variants, write_table  # noqa: E402
+
 CASES = [(f"case_{number + 1}", *case) for number, case in enumerate(
     [(thickness, ratio, coupled) for coupled in ("no", "yes") for thickness, ratio in ((1.5, 104), (1.5, 355), (2, 77), (2, 269))])]
 
 
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
-
-
 def table(folders):
     for (name, thickness, ratio, coupled), folder in zip(CASES, folders):
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = read_summary(folder)
         yield {"case": name[-1], "thickness_mm": thickness, "L_over_D": ratio, "coupled": coupled,
                "pressure_MPa": round(summary["greatest_sprue_pressure_Pa"] / 1e6, 2),
                **{f"Loc_{k}_mm": round(1e3 * summary[f"Loc_{k}_L_N_m"], 3) for k in (1, 2, 3, 4)}}
@@ -54,7 +33,7 @@ def draw(folders):
     figure, axes = plt.subplots(1, 3, figsize=(11, 3.4), layout="constrained")
     for number, style, label in ((1, "-", "not coupled"), (5, "--", "coupled")):
         for place, colour in ((0, "C0"), (1, "C1"), (3, "C2")):
-            points = [row for row in rows(folders[number], "profiles.csv") if row["place"] == place]
+            points = [row for row in read_table(folders[number] / "profiles.csv") if row["place"] == place]
             height = [row["height"] for row in points]
             text = f"Loc.{place + 1}, {label}"
             axes[0].plot(height, [row["a11"] for row in points], style, color=colour, label=text)
@@ -63,7 +42,7 @@ def draw(folders):
     axes[1].set(xlabel="height over the mid-plane / half gap", ylabel="length, mm", title="length, L/D 355")
     axes[0].legend(fontsize=7)
     for (name, _, ratio, coupled), folder in zip(CASES, folders):
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = read_summary(folder)
         share = [summary[f"Loc_{k}_L_N_m"] / (19e-6 * ratio) for k in (1, 2, 3, 4)]
         axes[2].plot((1, 2, 3, 4), share, "--" if coupled == "yes" else "-", marker="o", ms=3,
                      color={104: "C0", 355: "C1", 77: "C2", 269: "C3"}[ratio], label=f"L/D {ratio}, {name[-1]}")
@@ -73,12 +52,9 @@ def draw(folders):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/30_plaque"))
-    arguments = parser.parse_args()
-    folders = [run(arguments.program, arguments.out, "" if name == "case_4" else name) for name, *_ in CASES]
-    write("table_16.csv", list(table(folders)))
+    arguments = read_arguments(__doc__, "results/30_plaque")
+    folders = run_variants(FOLDER / "case.toml", arguments, ["" if name == "case_4" else name for name, *_ in CASES])
+    write_table(FOLDER / "table_16.csv", list(table(folders)))
     draw(folders)
 
 

@@ -5,10 +5,8 @@
 
 Writes means.csv and distributions.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
 import pathlib
-import subprocess
+import sys
 
 import matplotlib
 
@@ -16,32 +14,13 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-
-
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_table, run_variants, write_table  # noqa: E402
 
 
 def draw(folder):
     figure, axes = plt.subplots(2, 2, figsize=(9, 5.5), layout="constrained", sharex=True, sharey=True)
-    table = [row for row in rows(folder, "histogram.csv") if row["set"] == 0]
+    table = [row for row in read_table(folder / "histogram.csv") if row["set"] == 0]
     for place, axis in enumerate(axes.flat):
         for number, text in ((-1, "at the gates"), (place, f"Loc.{place + 1}")):
             bins = [row for row in table if row["place"] == number]
@@ -54,19 +33,16 @@ def draw(folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/31_length_classes"))
-    arguments = parser.parse_args()
+    arguments = read_arguments(__doc__, "results/31_length_classes")
     table = []
     for variant, weight in (("", "length"), ("by_number", "number")):
-        folder = run(arguments.program, arguments.out, variant)
-        for row in rows(folder, "places.csv"):
+        [folder] = run_variants(FOLDER / "case.toml", arguments, [variant])
+        for row in read_table(folder / "places.csv"):
             table.append({"weight": weight, "place": f"Loc.{int(row['place']) + 1}", "L_N_mm": round(1e3 * row["L_N_m"], 3),
                           "L_W_mm": round(1e3 * row["L_W_m"], 3)})
         if variant == "":
             draw(folder)
-    write("means.csv", table)
+    write_table(FOLDER / "means.csv", table)
 
 
 if __name__ == "__main__":

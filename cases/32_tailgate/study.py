@@ -5,11 +5,8 @@
 
 Writes gates.csv, pressure.png and fronts.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
-import json
 import pathlib
-import subprocess
+import sys
 
 import matplotlib
 
@@ -18,34 +15,16 @@ import matplotlib.pyplot as plt  # noqa: E402
 import h5py  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_summary, read_table, run_variants, write_table  # noqa: E402
+
 CASES = [("", "all at once"), ("sequence", "in sequence")]
-
-
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
 
 
 def draw_pressure(folders):
     figure, axis = plt.subplots(figsize=(7, 3.6), layout="constrained")
     for folder, (_, text) in zip(folders, CASES):
-        series = rows(folder, "series.csv")
+        series = read_table(folder / "series.csv")
         axis.plot([row["time_s"] for row in series], [1e-6 * row["sprue_pressure_Pa"] for row in series], label=text)
     axis.set(xlabel="time, s", ylabel="pressure at the sprue, MPa")
     axis.legend()
@@ -68,7 +47,7 @@ def draw_fronts(folders):
 
 def table(folders):
     for folder, (_, text) in zip(folders, CASES):
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = read_summary(folder)
         yield {"gates": text, "filled_s": round(summary["simulated_s"], 3),
                "greatest_pressure_MPa": round(summary["greatest_sprue_pressure_Pa"] / 1e6, 2),
                "weld_line_nodes": summary["weld_line_nodes"],
@@ -77,12 +56,9 @@ def table(folders):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/32_tailgate"))
-    arguments = parser.parse_args()
-    folders = [run(arguments.program, arguments.out, variant) for variant, _ in CASES]
-    write("gates.csv", list(table(folders)))
+    arguments = read_arguments(__doc__, "results/32_tailgate")
+    folders = run_variants(FOLDER / "case.toml", arguments, [variant for variant, _ in CASES])
+    write_table(FOLDER / "gates.csv", list(table(folders)))
     draw_pressure(folders)
     draw_fronts(folders)
 

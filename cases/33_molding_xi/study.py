@@ -5,11 +5,8 @@
 
 Writes optima.csv and errors.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
-import json
 import pathlib
-import subprocess
+import sys
 import tomllib
 
 import matplotlib
@@ -18,33 +15,14 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-
-
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_summary, read_table, run_variants, write_table  # noqa: E402
 
 
 def draw(folders, names):
     figure, axis = plt.subplots(figsize=(7, 4), layout="constrained")
     for folder in folders:
-        table = rows(folder, "sweep.csv")
+        table = read_table(folder / "sweep.csv")
         for fit in sorted({row["fit"] for row in table}):
             curve = [row for row in table if row["fit"] == fit]
             apart = folder.name == "separately"
@@ -57,7 +35,7 @@ def draw(folders, names):
 
 def table(folders, names):
     for folder in folders:
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary = read_summary(folder)
         for name in names if folder.name == "separately" else ["all together"]:
             key = "".join(c if c.isalnum() else "_" for c in name) + "_" if folder.name == "separately" else ""
             yield {"plaque": name, **{text: f"{summary[key + item]:.4g}" for text, item in (
@@ -66,13 +44,10 @@ def table(folders, names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/33_molding_xi"))
-    arguments = parser.parse_args()
+    arguments = read_arguments(__doc__, "results/33_molding_xi")
     names = tomllib.loads((FOLDER / "case.toml").read_text(encoding="utf-8"))["conditions"]["names"]
-    folders = [run(arguments.program, arguments.out, variant) for variant in ("separately", "")]
-    write("optima.csv", list(table(folders, names)))
+    folders = run_variants(FOLDER / "case.toml", arguments, ["separately", ""])
+    write_table(FOLDER / "optima.csv", list(table(folders, names)))
     draw(folders, names)
 
 

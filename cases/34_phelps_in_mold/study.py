@@ -5,10 +5,8 @@
 
 Writes lengths.csv and models.png beside itself. A result that is there already is not run again. Needs matplotlib.
 """
-import argparse
-import csv
 import pathlib
-import subprocess
+import sys
 
 import matplotlib
 
@@ -16,28 +14,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(FOLDER.parent))
+from study_runs import read_arguments, read_table, run_variants, write_table  # noqa: E402
+
 MODELS = ["unbreakable length", "Phelps-Tucker"]
-
-
-def run(program, out, variant):
-    """Runs one variant of the case ("": the case as it stands) and tells its folder."""
-    folder = out / (variant or "case")
-    if not (folder / "summary.json").exists():
-        words = [program, "run", str(FOLDER / "case.toml"), "--out", str(folder), "--overwrite", "--progress", "none"]
-        subprocess.run(words + (["--variant", variant] if variant else []), check=True)
-    return folder
-
-
-def rows(folder, name):
-    with open(folder / name, encoding="utf-8") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def write(name, table):
-    with open(FOLDER / name, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, table[0])
-        writer.writeheader()
-        writer.writerows(table)
 
 
 def draw(table):
@@ -52,15 +32,12 @@ def draw(table):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", default="fiberfate")
-    parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("results/34_phelps_in_mold"))
-    arguments = parser.parse_args()
-    folder = run(arguments.program, arguments.out, "")
+    arguments = read_arguments(__doc__, "results/34_phelps_in_mold")
+    [folder] = run_variants(FOLDER / "case.toml", arguments, [""])
     table = [{"model": MODELS[int(row["set"])], "place": f"Loc.{int(row['place']) + 1}",
               "L_N_mm": round(1e3 * row["L_N_m"], 3), "L_W_mm": round(1e3 * row["L_W_m"], 3)}
-             for row in rows(folder, "places.csv")]
-    write("lengths.csv", table)
+             for row in read_table(folder / "places.csv")]
+    write_table(FOLDER / "lengths.csv", table)
     draw(table)
 
 
