@@ -4,6 +4,7 @@ import csv
 import matplotlib
 
 matplotlib.use("svg")
+matplotlib.rcParams["svg.hashsalt"] = "fiberfate"  # the same figure is the same file
 from matplotlib import pyplot as plt  # noqa: E402
 
 LABELS = {"fixed": "fixed, 300 µm", "ramp": "with the ramp", "probability": "ramp and probability, to 450 µm"}
