@@ -83,17 +83,6 @@ typedef std::int32_t IndexPack __attribute__((vector_size(32)));
 static inline __attribute__((always_inline)) IndexPack load_indices(const std::int32_t* from) {
   return *reinterpret_cast<const IndexPack*>(from);
 }
-/// Reads the doubles with the given indices.
-static inline __attribute__((always_inline)) Pack gather(const double* from, const IndexPack& index) {
-#if defined(__AVX512F__)
-  return reinterpret_cast<Pack>(_mm512_i32gather_pd(reinterpret_cast<__m256i>(index), from, 8));
-#else
-  Pack gathered;
-  for (int lane = 0; lane < lanes; ++lane) gathered[lane] = from[index[lane]];
-  return gathered;
-#endif
-}
-
 /// Eight floats.
 typedef float HalfFloats __attribute__((vector_size(32)));
 

@@ -124,14 +124,6 @@ RodGrid::Block RodGrid::block_around(Index bin, double reach) const {
   return block;
 }
 
-void RodGrid::runs_around(Index bin, double reach, std::vector<Run>& runs) const {
-  runs.clear();
-  const Block block = block_around(bin, reach);
-  for (int i = block.low[0]; i <= block.high[0]; ++i) {
-    for (int j = block.low[1]; j <= block.high[1]; ++j) add_row(block, i, j, runs);
-  }
-}
-
 void RodGrid::runs_ahead(Index bin, double reach, std::vector<Run>& runs) const {
   runs.clear();
   Block block = block_around(bin, reach);

@@ -27,11 +27,9 @@ class RodGrid {
   /// Bins all rods, with bins no narrower than `bin_width` (m); `margin` is kept with each rod.
   void fill(const FiberState& state, double bin_width, const std::vector<double>& margin);
 
-  /// Lists the runs that hold every midpoint within `reach` (m) of a midpoint in the given bin.
-  void runs_around(Index bin, double reach, std::vector<Run>& runs) const;
-
-  /// Lists the half of those runs that comes after the bin, beginning with the bin itself: over all bins,
-  /// every two bins (images told apart) meet once.
+  /// Lists, of the runs that hold every midpoint within `reach` (m) of a midpoint in the given bin, the half
+  /// that comes after the bin, beginning with the bin itself: over all bins, every two bins (images told
+  /// apart) meet once.
   void runs_ahead(Index bin, double reach, std::vector<Run>& runs) const;
 
   [[nodiscard]] Index bin_count() const { return static_cast<Index>(begin_.size()) - 1; }
