@@ -33,6 +33,12 @@ enum RodNumber {
   rod_numbers
 };
 
+/// Tells where a number of the k-th rods begins. Always inlined, because kernels of several instruction sets
+/// call it.
+[[gnu::always_inline]] static inline long offset_of(RodNumber number, int k) {
+  return (static_cast<long>(k) * rod_numbers + number) * 8;
+}
+
 /// States what drag and bending depend on; arrays with one entry a node.
 struct AssemblyQuery {
   double* records;            ///< of ChainSystem

@@ -83,7 +83,7 @@ FIBERFATE_INLINE Pack arcsine_ratio(const Pack& y) {
 }
 
 FIBERFATE_INLINE Pack rod_number(const AssemblyQuery& query, RodNumber number, int k) {
-  return load(query.rods + (static_cast<long>(k) * RodNumber::rod_numbers + number) * lanes);
+  return load(query.rods + offset_of(number, k));
 }
 
 /// Holds what a rod adds to the records of its two nodes.

@@ -70,7 +70,7 @@ void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDra
   rods_.reserve(static_cast<std::size_t>(count) * RodNumber::rod_numbers * ChainSystem::lanes);
   for (const ChainGroup& group : groups_) {
     for (int k = 0; k < group.nodes; ++k) {
-      double* to = rods_of(group) + k * RodNumber::rod_numbers * ChainSystem::lanes;
+      double* to = rods_of(group) + offset_of(RodNumber::length, k);
       for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
         const auto rod = static_cast<std::size_t>(group.first[lane] + std::min(k, group.rods[lane] - 1));
         const double numbers[] = {state.rod_length[rod], drag[rod].parallel, drag[rod].perpendicular,

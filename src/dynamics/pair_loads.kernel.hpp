@@ -47,8 +47,7 @@ FIBERFATE_INLINE Rods read_rods(const PairLoadQuery& query, const ChainGroup& gr
     w[lane] = query.velocity + 3 * rod;
     next_w[lane] = w[lane] + 3;
   }
-  const Pack inverse =
-      1.0 / load(query.numbers + (static_cast<long>(k) * RodNumber::rod_numbers + RodNumber::length) * lanes);
+  const Pack inverse = 1.0 / load(query.numbers + offset_of(RodNumber::length, k));
   const Triple velocity = read_triples(w);
   return {inverse, inverse * (read_triples(next_x) - read_triples(x)), velocity,
           read_triples(next_w) - velocity};
@@ -67,7 +66,7 @@ FIBERFATE_INLINE Shares read_shares(const PairLoadQuery& query, const Index* num
     force[lane] = from.force;
     normal[lane] = from.normal;
     places[lane] = &from.s;
-    held[lane] = &from.along;
+    held[lane] = &from.along;  // the third number that is read there is not used
   }
   const Mask is_second = __builtin_convertvector(load_indices(numbers) & 1, Mask) != 0;
   const Triple at = read_triples(places);

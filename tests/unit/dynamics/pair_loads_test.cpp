@@ -112,8 +112,7 @@ struct Scene {
       group.used[lane] = lane < 3 ? group.rods[lane] : 0;
       for (int k = 0; k < group.nodes; ++k) {
         const auto rod = std::size_t(group.first[lane] + std::min(k, group.rods[lane] - 1));
-        rods.data()[(k * RodNumber::rod_numbers + RodNumber::length) * System::lanes + lane] =
-            state.rod_length[rod];
+        rods.data()[offset_of(RodNumber::length, k) + lane] = state.rod_length[rod];
       }
     }
   }
