@@ -66,23 +66,17 @@ class ChunkSearch {
     if (state_.materials.size() == 1) return 0;
     return state_.material_id[static_cast<std::size_t>(neighbours_.fiber_of(rod))];
   }
-  [[nodiscard]] bool begins_fiber(Index rod) const {
-    return rod == state_.begin_node(neighbours_.fiber_of(rod));
-  }
-  [[nodiscard]] bool ends_fiber(Index rod) const {
-    return rod + 2 == state_.end_node(neighbours_.fiber_of(rod));
-  }
   [[nodiscard]] bool is_exempt(Index rod) const {
-    return state_.touches_previous[static_cast<std::size_t>(neighbours_.fiber_of(rod))] != 0 &&
-           begins_fiber(rod);
+    return neighbours_.begins_fiber(rod) &&
+           state_.touches_previous[static_cast<std::size_t>(neighbours_.fiber_of(rod))] != 0;
   }
 
   /// Tells whether a contact at the end of a rod is seen by the rod beyond the hinge as well, and belongs to
   /// that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
   /// other rod.
   [[nodiscard]] bool belongs_to_neighbour(Index rod, double place, const Vec3& other) const {
-    if (place <= 0) return !begins_fiber(rod);
-    if (place < 1 || ends_fiber(rod)) return false;
+    if (place <= 0) return !neighbours_.begins_fiber(rod);
+    if (place < 1 || neighbours_.ends_fiber(rod)) return false;
     const auto n = static_cast<std::size_t>(rod);
     return (state_.position[n + 2] - state_.position[n + 1]).dot(other) > 0;
   }

@@ -40,6 +40,13 @@ class NeighbourList {
   /// Sum of both, m.
   [[nodiscard]] std::span<const float> reach() const { return reach_; }
   [[nodiscard]] Index fiber_of(Index rod) const { return fiber_of_[static_cast<std::size_t>(rod)]; }
+  /// Tells whether a rod is the first, or the last, of its fiber.
+  [[nodiscard]] bool begins_fiber(Index rod) const {
+    return (place_[static_cast<std::size_t>(rod)] & first_rod) != 0;
+  }
+  [[nodiscard]] bool ends_fiber(Index rod) const {
+    return (place_[static_cast<std::size_t>(rod)] & last_rod) != 0;
+  }
   [[nodiscard]] std::size_t pair_count() const;
 
  private:
@@ -51,9 +58,13 @@ class NeighbourList {
                                 double shrunk);
   double name_fibers(const FiberState& state);
 
+  static constexpr std::uint8_t first_rod = 1;
+  static constexpr std::uint8_t last_rod = 2;
+
   RodGrid grid_;
   std::vector<RodPairs> chunks_;
   std::vector<Index> fiber_of_;
+  std::vector<std::uint8_t> place_;  // of every rod in its fiber: small enough to stay in the cache
   std::vector<double> margin_;
   std::vector<float> travel_;
   std::vector<float> ahead_;
