@@ -10,16 +10,10 @@ namespace {
 
 #define FIBERFATE_INLINE static inline __attribute__((always_inline))
 
-/// Holds symmetric matrices: xx, yy, zz, yz, zx, xy.
-struct SymmetricPack {
-  Pack part[6];
-};
-
-/// Sums what the forces on a rod add to the records of its two nodes.
-struct RodSum {
-  SymmetricPack near, far;
-  Pack coupling[9];
-  Triple near_load, far_load;
+/// Holds the records of a rod's two nodes.
+struct Records {
+  double* near;
+  double* far;
 };
 
 /// Holds eight rods and the velocities about which forces are linearised.
@@ -80,7 +74,18 @@ FIBERFATE_INLINE Shares read_shares(const PairLoadQuery& query, const Index* num
           resistance.y};
 }
 
-FIBERFATE_INLINE void add_blocks(RodSum& sum, const Shares& share, const Triple& direction,
+FIBERFATE_INLINE void add(double* record, int component, const Pack& value) {
+  double* to = record + component * lanes;
+  store(to, load(to) + value);
+}
+
+FIBERFATE_INLINE void add(double* record, int component, const Triple& value) {
+  add(record, component, value.x);
+  add(record, component + 1, value.y);
+  add(record, component + 2, value.z);
+}
+
+FIBERFATE_INLINE void add_blocks(const Records& to, const Shares& share, const Triple& direction,
                                  const Pack& cosine, const Pack& turn) {
   const Pack p[3] = {direction.x, direction.y, direction.z};
   const Pack n[3] = {share.normal.x, share.normal.y, share.normal.z};
@@ -97,18 +102,20 @@ FIBERFATE_INLINE void add_blocks(RodSum& sum, const Shares& share, const Triple&
     const Pack held = share.across * one + excess * nn;
     const Pack turning = turn * (both - 2.0 * cosine * one);
     const Pack squared = turn * turn * (nn - cosine * both + cosine * cosine * one);
-    sum.near.part[i] += near * near * held + share.across * (squared - near * turning);
-    sum.far.part[i] += far * far * held + share.across * (squared + far * turning);
+    add(to.near, ChainSystem::diagonal + i, near * near * held + share.across * (squared - near * turning));
+    add(to.far, ChainSystem::diagonal + i, far * far * held + share.across * (squared + far * turning));
     const Pack even = near * far * held - share.across * squared;
     const Pack odd = share.across * turn;
     const Pack diagonal = cosine * one;
-    sum.coupling[3 * c + r] +=
-        even + odd * (near * (p[r] * n[c] - diagonal) - far * (n[r] * p[c] - diagonal));
-    if (r != c) sum.coupling[3 * r + c] += even + odd * (near * (p[c] * n[r]) - far * (n[c] * p[r]));
+    add(to.near, ChainSystem::coupling + 3 * c + r,
+        even + odd * (near * (p[r] * n[c] - diagonal) - far * (n[r] * p[c] - diagonal)));
+    if (r != c)
+      add(to.near, ChainSystem::coupling + 3 * r + c,
+          even + odd * (near * (p[c] * n[r]) - far * (n[c] * p[r])));
   }
 }
 
-FIBERFATE_INLINE void add_share(RodSum& sum, const Rods& rods, const Shares& share) {
+FIBERFATE_INLINE void add_share(const Records& to, const Rods& rods, const Shares& share) {
   const Triple& n = share.normal;
   const Pack far = share.place;
   const Pack cosine = dot(n, rods.p);
@@ -118,22 +125,9 @@ FIBERFATE_INLINE void add_share(RodSum& sum, const Rods& rods, const Shares& sha
   const Triple force =
       share.sign * share.force + share.across * old + ((share.along - share.across) * dot(n, old)) * n;
   const Triple couple = turn * (dot(rods.p, force) * n - cosine * force);
-  sum.near_load = sum.near_load + (1.0 - far) * force - couple;
-  sum.far_load = sum.far_load + far * force + couple;
-  add_blocks(sum, share, rods.p, cosine, turn);
-}
-
-FIBERFATE_INLINE void add_to(double* record, int component, const Pack* values, int count) {
-  for (int c = 0; c < count; ++c) {
-    double* to = record + (component + c) * lanes;
-    store(to, load(to) + values[c]);
-  }
-}
-
-FIBERFATE_INLINE void add_to(double* record, const SymmetricPack& block, const Triple& force) {
-  const Pack parts[3] = {force.x, force.y, force.z};
-  add_to(record, ChainSystem::diagonal, block.part, 6);
-  add_to(record, ChainSystem::load, parts, 3);
+  add(to.near, ChainSystem::load, (1.0 - far) * force - couple);
+  add(to.far, ChainSystem::load, far * force + couple);
+  add_blocks(to, share, rods.p, cosine, turn);
 }
 
 }  // namespace
@@ -143,13 +137,10 @@ void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group) {
   for (int k = 0; k < query.rods; ++k) {
     if (slot == query.slot_ends[k]) continue;
     const Rods rods = read_rods(query, group, k);
-    RodSum sum = {};
-    for (; slot < query.slot_ends[k]; ++slot)
-      add_share(sum, rods, read_shares(query, query.slot_numbers + static_cast<long>(slot) * lanes));
     double* record = query.records + static_cast<long>(k) * ChainSystem::size * lanes;
-    add_to(record, sum.near, sum.near_load);
-    add_to(record, ChainSystem::coupling, sum.coupling, 9);
-    add_to(record + ChainSystem::size * lanes, sum.far, sum.far_load);
+    const Records to{record, record + ChainSystem::size * lanes};
+    for (; slot < query.slot_ends[k]; ++slot)
+      add_share(to, rods, read_shares(query, query.slot_numbers + static_cast<long>(slot) * lanes));
   }
 }
 
