@@ -18,9 +18,12 @@
 namespace fiberfate {
 namespace {
 
-// A list is made to last for about this many steps at the present speeds; margins stay within bounds in
-// radii. Speeds flicker from contact to contact, so half of the mean speed is allowed to every rod.
-constexpr double list_life = 40;
+// Margins of a list are made to last, at the present speeds, for 2.5 times as many steps as the last list
+// did: the first fibers leave theirs long before most do. Margins stay within bounds in radii. Speeds flicker
+// from contact to contact, so half of the mean speed is allowed to every rod.
+constexpr double lives = 2.5;
+constexpr double least_life = 10;
+constexpr double most_life = 40;
 constexpr double shared_speed = 0.5;
 constexpr double least_margin = 1.0;
 constexpr double most_margin = 3.0;
@@ -71,6 +74,7 @@ struct Simulation::Parts {
 
   void find_contacts(const Flow& now, double step);
   void build_list(const Flow& now, double step);
+  void tune_margins();
   double try_step(const Flow& now, double step);
   void accept(const Flow& now, const StepChoice& choice, double error, double event);
   void measure(const Contact& contact, ContactStatistics& statistics, std::vector<double>& overlaps) const;
@@ -93,6 +97,8 @@ struct Simulation::Parts {
   std::vector<double> travelled;
   std::vector<double> error_by_fiber;
   bool list_is_stale = true;
+  double margin_life = most_life;  // steps
+  std::int64_t list_made_at = 0;   // step
   // Results
   std::vector<BreakEvent> events;
   PhaseTimes times;
@@ -154,7 +160,15 @@ void Simulation::Parts::find_contacts(const Flow& now, double step) {
   loads.arrange(search.contacts(), state);
 }
 
+void Simulation::Parts::tune_margins() {
+  // A list that ended for another reason says nothing.
+  if (!list_is_stale)
+    margin_life = std::clamp(lives * static_cast<double>(state.step - list_made_at), least_life, most_life);
+  list_made_at = state.step;
+}
+
 void Simulation::Parts::build_list(const Flow& now, double step) {
+  tune_margins();
   const auto ahead = neighbours.ahead();
   const double mean = std::accumulate(ahead.begin(), ahead.end(), 0.0) / static_cast<double>(ahead.size());
   margin.resize(ahead.size());
@@ -162,7 +176,7 @@ void Simulation::Parts::build_list(const Flow& now, double step) {
     const double radius = state.material(fiber).radius;
     for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
       const auto n = static_cast<std::size_t>(k);
-      const double wanted = list_life * (ahead[n] + shared_speed * mean);
+      const double wanted = margin_life * (ahead[n] + shared_speed * mean);
       margin[n] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead[n];
     }
   }
