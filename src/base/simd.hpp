@@ -1,8 +1,9 @@
 // Gives eight doubles that compute side by side, and says which instruction set this processor offers.
 //
 // Kernels are headers "*.kernel.hpp", compiled once for each instruction set into a namespace of that name
-// (cmake/FiberfateKernels.cmake) and chosen at run time. They must not instantiate anything of the standard
-// library or Eigen: the linker would keep one copy, perhaps the one that this processor cannot run.
+// (cmake/FiberfateKernels.cmake) and chosen at run time (base/kernels.hpp). They must not instantiate
+// anything of the standard library or Eigen: the linker would keep one copy, perhaps the one that this
+// processor cannot run.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "base/threads.hpp"
 #include "continuum/orientation_kernels.hpp"
 #include "continuum/orientation_registry.hpp"
@@ -23,26 +23,12 @@ namespace {
 constexpr std::size_t chunk = 256;
 
 void evaluate_on_this_thread(const OrientationModel& model, const OrientationPoints& points) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::evaluate_orientation(model, points);
-    case InstructionSet::avx2:
-      return avx2::evaluate_orientation(model, points);
-    default:
-      return baseline::evaluate_orientation(model, points);
-  }
+  return FIBERFATE_KERNEL(evaluate_orientation)(model, points);
 }
 
 bool advance_on_this_thread(const OrientationModel& model, const OrientationPoints& points,
                             const OrientationStep& step) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::advance_orientation(model, points, step);
-    case InstructionSet::avx2:
-      return avx2::advance_orientation(model, points, step);
-    default:
-      return baseline::advance_orientation(model, points, step);
-  }
+  return FIBERFATE_KERNEL(advance_orientation)(model, points, step);
 }
 
 OrientationPoints part_of(const OrientationPoints& points, std::size_t first) {

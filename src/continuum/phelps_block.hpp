@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "base/kernels.hpp"
+
 namespace fiberfate {
 
 /// Holds eight points that advance together. Arrays are [bin][8] and aligned to 64 bytes unless said
@@ -30,14 +32,6 @@ struct PhelpsBlock {
   double* integral;       ///< scratch: u
 };
 
-namespace baseline {
-void advance_phelps(const PhelpsBlock& block);
-}
-namespace avx2 {
-void advance_phelps(const PhelpsBlock& block);
-}
-namespace avx512 {
-void advance_phelps(const PhelpsBlock& block);
-}
+FIBERFATE_DECLARE_KERNEL(void advance_phelps(const PhelpsBlock& block))
 
 }  // namespace fiberfate

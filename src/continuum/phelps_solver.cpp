@@ -8,7 +8,7 @@
 #include <new>
 
 #include "base/error.hpp"
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "base/threads.hpp"
 #include "continuum/phelps_block.hpp"
 
@@ -41,14 +41,7 @@ class AlignedDoubles {
 };
 
 void advance_phelps(const PhelpsBlock& block) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::advance_phelps(block);
-    case InstructionSet::avx2:
-      return avx2::advance_phelps(block);
-    case InstructionSet::baseline:
-      return baseline::advance_phelps(block);
-  }
+  return FIBERFATE_KERNEL(advance_phelps)(block);
 }
 
 /// Tells after how many terms the Poisson weights of this exposure leave less than the tolerance.

@@ -1,34 +1,19 @@
 // Assembles the systems of eight fibers: drag and bending in packs, then the loads on single rods.
 #include "dynamics/chain_assembly.hpp"
 
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "dynamics/chain_solver.hpp"
 
 namespace fiberfate {
 
-namespace baseline {
-void assemble_chains(const AssemblyQuery& query, const ChainGroup& group);
-}
-namespace avx2 {
-void assemble_chains(const AssemblyQuery& query, const ChainGroup& group);
-}
-namespace avx512 {
-void assemble_chains(const AssemblyQuery& query, const ChainGroup& group);
-}
+FIBERFATE_DECLARE_KERNEL(void assemble_chains(const AssemblyQuery& query, const ChainGroup& group))
 
 namespace {
 
 using System = ChainSystem;
 
 void assemble_chains(const AssemblyQuery& query, const ChainGroup& group) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::assemble_chains(query, group);
-    case InstructionSet::avx2:
-      return avx2::assemble_chains(query, group);
-    default:
-      return baseline::assemble_chains(query, group);
-  }
+  return FIBERFATE_KERNEL(assemble_chains)(query, group);
 }
 
 /// Holds the loads of a rod as they are added to the records of its two nodes.

@@ -4,32 +4,17 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "base/threads.hpp"
 
 namespace fiberfate {
 
-namespace baseline {
-void eliminate_chains(double* records, double* factors, int nodes);
-}
-namespace avx2 {
-void eliminate_chains(double* records, double* factors, int nodes);
-}
-namespace avx512 {
-void eliminate_chains(double* records, double* factors, int nodes);
-}
+FIBERFATE_DECLARE_KERNEL(void eliminate_chains(double* records, double* factors, int nodes))
 
 namespace {
 
 void eliminate(ChainSystem& system, int nodes) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::eliminate_chains(system.record(0), system.factors(), nodes);
-    case InstructionSet::avx2:
-      return avx2::eliminate_chains(system.record(0), system.factors(), nodes);
-    default:
-      return baseline::eliminate_chains(system.record(0), system.factors(), nodes);
-  }
+  return FIBERFATE_KERNEL(eliminate_chains)(system.record(0), system.factors(), nodes);
 }
 
 ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {

@@ -4,20 +4,12 @@
 #include <algorithm>
 #include <array>
 
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "dynamics/chain_assembly.hpp"
 
 namespace fiberfate {
 
-namespace baseline {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
-namespace avx2 {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
-namespace avx512 {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
+FIBERFATE_DECLARE_KERNEL(void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group))
 
 namespace {
 
@@ -53,14 +45,7 @@ void PairSlots::collect(const PairForces& pairs, const ChainGroup& group) {
 }
 
 void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::add_pair_loads(query, group);
-    case InstructionSet::avx2:
-      return avx2::add_pair_loads(query, group);
-    default:
-      return baseline::add_pair_loads(query, group);
-  }
+  return FIBERFATE_KERNEL(add_pair_loads)(query, group);
 }
 
 }  // namespace fiberfate

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "microstructure/closure_block.hpp"
 
 namespace fiberfate {
@@ -51,14 +51,7 @@ constexpr std::array descriptions = {
                        "Montgomery-Smith et al., J. Fluid Mech. 680, 321 (2011)"}};
 
 void contract(Closure closure, const ClosureBlock& block) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::contract_closures(closure, block);
-    case InstructionSet::avx2:
-      return avx2::contract_closures(closure, block);
-    default:
-      return baseline::contract_closures(closure, block);
-  }
+  return FIBERFATE_KERNEL(contract_closures)(closure, block);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Lays out eight orientation states for the compiled closure kernels.
 #pragma once
 
+#include "base/kernels.hpp"
 #include "microstructure/closure_kind.hpp"
 
 namespace fiberfate {
@@ -13,18 +14,8 @@ struct ClosureBlock {
   double* contracted;       ///< A4(A2) : G
 };
 
-namespace baseline {
-void contract_closures(Closure closure, const ClosureBlock& block);
+FIBERFATE_DECLARE_KERNEL(void contract_closures(Closure closure, const ClosureBlock& block))
 /// Decomposes eight symmetric tensors; `values` is [3][8], `axes` [axis][component][8].
-void find_frames(const double* tensors, double* values, double* axes);
-}  // namespace baseline
-namespace avx2 {
-void contract_closures(Closure closure, const ClosureBlock& block);
-void find_frames(const double* tensors, double* values, double* axes);
-}  // namespace avx2
-namespace avx512 {
-void contract_closures(Closure closure, const ClosureBlock& block);
-void find_frames(const double* tensors, double* values, double* axes);
-}  // namespace avx512
+FIBERFATE_DECLARE_KERNEL(void find_frames(const double* tensors, double* values, double* axes))
 
 }  // namespace fiberfate

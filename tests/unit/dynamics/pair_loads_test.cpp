@@ -8,27 +8,20 @@
 
 #include "../fibers/sample_fibers.hpp"
 #include "base/aligned_array.hpp"
-#include "base/simd.hpp"
+#include "base/kernels.hpp"
 #include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
 #include "fibers/rod_pairs.hpp"
 
 namespace fiberfate {
 
-namespace baseline {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
-namespace avx2 {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
-namespace avx512 {
-void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group);
-}
+FIBERFATE_DECLARE_KERNEL(void add_pair_loads(const PairLoadQuery& query, const ChainGroup& group))
+
+using Kernel = decltype(&baseline::add_pair_loads);
 
 namespace {
 
 using System = ChainSystem;
-using Kernel = void (*)(const PairLoadQuery&, const ChainGroup&);
 
 /// Tells the kernels that this processor can run.
 std::vector<Kernel> kernels() {

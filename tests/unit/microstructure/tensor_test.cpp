@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "base/simd.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/closure_block.hpp"
@@ -63,18 +62,6 @@ TEST(Eigenframe, AGuideFixesTheAxesOfEqualValues) {
   EXPECT_LT((pair.axes * pair.values.asDiagonal() * pair.axes.transpose() - state).norm(), 1e-15);
 }
 
-/// Decomposes eight tensors with the kernel of this processor.
-void find_frames_here(const double* tensors, double* values, double* axes) {
-  switch (instruction_set()) {
-    case InstructionSet::avx512:
-      return avx512::find_frames(tensors, values, axes);
-    case InstructionSet::avx2:
-      return avx2::find_frames(tensors, values, axes);
-    default:
-      return baseline::find_frames(tensors, values, axes);
-  }
-}
-
 TEST(Eigenframe, TheKernelAgreesWithEigenForEightKindsOfTensors) {
   const Mat3 r = some_rotation();
   const auto turned = [&](double a, double b, double c) {
@@ -86,7 +73,7 @@ TEST(Eigenframe, TheKernelAgreesWithEigenForEightKindsOfTensors) {
   alignas(64) double components[48], values[24], axes[72];
   for (int lane = 0; lane < 8; ++lane)
     for (int m = 0; m < 6; ++m) components[8 * m + lane] = to_components(tensors[lane])[m];
-  find_frames_here(components, values, axes);
+  FIBERFATE_KERNEL(find_frames)(components, values, axes);
   for (int lane = 0; lane < 8; ++lane) {
     Eigenframe frame;
     for (int k = 0; k < 3; ++k) {
