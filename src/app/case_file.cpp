@@ -43,7 +43,7 @@ const Study& study_of(const TomlDocument& document) {
   InputProblem problem = problem_at(*entry);
   problem.complaint = "there is no such study, so nothing else can be checked";
   const std::vector<std::string> names = study_names();
-  const std::string_view nearest = text == nullptr ? std::string_view() : nearest_word(*text, names);
+  const std::string nearest = text == nullptr ? std::string() : nearest_word(*text, names);
   problem.remedy = nearest.empty() ? "give " + listed(names) : fmt::format("did you mean \"{}\"?", nearest);
   throw InputError({problem});
 }
@@ -86,7 +86,7 @@ std::string meant_key(const std::string& key, const Study& study, const KeyTable
   const std::string leaf = key.substr(key.rfind('.') + 1);
   for (const Key& one : table.keys())
     if (one.leaf() == leaf) return fmt::format("did you mean {}?", one.name);
-  if (const std::string_view nearest = nearest_word(key, names); !nearest.empty())
+  if (const std::string nearest = nearest_word(key, names); !nearest.empty())
     return fmt::format("did you mean {}?", nearest);
   for (const Key& one : table.keys())
     if (!nearest_word(leaf, {one.leaf()}).empty()) return fmt::format("did you mean {}?", one.name);
@@ -117,7 +117,7 @@ InputProblem unknown_table(const TomlTable& unknown, const Study& study, const K
   }
   std::vector<std::string> names;
   for (const Section& section : table.sections()) names.push_back(section.name);
-  const std::string_view nearest = nearest_word(unknown.name, names);
+  const std::string nearest = nearest_word(unknown.name, names);
   problem.complaint = fmt::format("unknown table in study {}", study.name);
   problem.remedy = nearest.empty() ? fmt::format("the tables are {}", fmt::join(names, ", "))
                                    : fmt::format("did you mean [{}]?", nearest);
@@ -184,7 +184,7 @@ InputError unknown_variant(const std::string& name, const TomlDocument& variants
   std::vector<std::string> names;
   for (const TomlTable& table : variants.tables())
     if (table.name.find('.') == std::string::npos) names.push_back(table.name);
-  const std::string_view nearest = nearest_word(name, names);
+  const std::string nearest = nearest_word(name, names);
   return {fmt::format("{}: there is no variant {}", variants.name(), name),
           nearest.empty() ? fmt::format("the variants are {}", fmt::join(names, ", "))
                           : fmt::format("did you mean {}?", nearest)};

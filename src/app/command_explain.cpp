@@ -90,7 +90,7 @@ void explain_overview() {
     for (const Key& key : keys.table.keys()) names.push_back(key.name);
     for (const Key& key : keys.table.keys()) names.push_back(key.leaf());
   }
-  const std::string_view nearest = nearest_word(topic, names);
+  const std::string nearest = nearest_word(topic, names);
   throw InputError(
       fmt::format("there is no study, table or key '{}'", topic),
       nearest.empty() ? "'fiberfate explain' lists the studies" : fmt::format("did you mean '{}'?", nearest));

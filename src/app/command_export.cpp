@@ -80,7 +80,7 @@ void export_csv(const VtkhdfReader& reader, const std::string& out) {
 
 int run_export(const ExportOptions& options) {
   if (std::find(formats.begin(), formats.end(), options.format) == formats.end()) {
-    const std::string_view meant = nearest_word(options.format, formats);
+    const std::string meant = nearest_word(options.format, formats);
     throw InputError(fmt::format("unknown export format '{}'", options.format),
                      meant.empty() ? fmt::format("the formats are {}", fmt::join(formats, ", "))
                                    : fmt::format("did you mean {}?", meant));

@@ -208,7 +208,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error,
   for (const CLI::App* one : app.get_subcommands({})) names.push_back(one->get_name());
   for (const CLI::App* one : app.get_subcommands()) command = one;
   if (command == &app && !words.empty() && !words.front().starts_with('-')) {
-    const std::string_view nearest = nearest_word(words.front(), names);
+    const std::string nearest = nearest_word(words.front(), names);
     return fmt::format("unknown command '{}': {}", words.front(),
                        nearest.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
                                        : fmt::format("did you mean '{}'?", nearest));
@@ -219,7 +219,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error,
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || std::find(options.begin(), options.end(), name) != options.end()) continue;
-    const std::string_view nearest = nearest_word(name, options);
+    const std::string nearest = nearest_word(name, options);
     return fmt::format("unknown option '{}': {}", name,
                        nearest.empty() ? fmt::format("the options are {}", fmt::join(options, ", "))
                                        : fmt::format("did you mean '{}'?", nearest));

@@ -25,7 +25,7 @@ struct NamedText {
 [[noreturn]] void refuse_name(const std::string& what) {
   std::vector<std::string> names = study_names();
   for (std::string& name : gallery_names()) names.push_back(std::move(name));
-  const std::string_view nearest = nearest_word(what, names);
+  const std::string nearest = nearest_word(what, names);
   throw InputError(fmt::format("'{}' is neither a study nor a case of the gallery", what),
                    nearest.empty() ? fmt::format("give one of {}", fmt::join(names, ", "))
                                    : fmt::format("did you mean '{}'?", nearest));

@@ -63,7 +63,7 @@ Complaint wrong_choice(const TomlValue& value,
     return {fmt::format("{} is not one of the choices", value.kind()), "give " + names_of(choices)};
   std::vector<std::string> names;
   for (const auto& choice : choices) names.push_back(choice.first);
-  const std::string_view nearest = nearest_word(*text, names);
+  const std::string nearest = nearest_word(*text, names);
   if (nearest.empty()) return {"not one of the choices", "give " + names_of(choices)};
   return {"not one of the choices",
           fmt::format("did you mean \"{}\"? The choices are {}", nearest, names_of(choices))};

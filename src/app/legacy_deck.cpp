@@ -214,7 +214,7 @@ void append_unknown_keys(const LegacyNamelist& namelist, std::vector<InputProble
     for (const LegacyRule& rule : rules())
       found = found || namelist.find(rule.key) == namelist.find(entry.key);
     if (found) continue;
-    const std::string_view nearest = nearest_word(entry.key, known);
+    const std::string nearest = nearest_word(entry.key, known);
     problems.push_back(
         namelist.problem(entry.key, "this key of Fibers.in is not known",
                          nearest.empty() ? "remove the line" : fmt::format("did you mean {}?", nearest)));

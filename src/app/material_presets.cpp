@@ -21,7 +21,7 @@ TomlDocument read_preset(const TomlEntry& entry, const std::string& wanted, cons
   const auto path = (std::filesystem::path(folder) / wanted).lexically_normal();
   if (std::filesystem::exists(path)) return TomlDocument::read(path.string());
   InputProblem problem = problem_at(entry);
-  const std::string_view nearest = nearest_word(wanted, names);
+  const std::string nearest = nearest_word(wanted, names);
   problem.complaint = "there is neither a material of this name nor such a file";
   problem.remedy = nearest.empty() ? fmt::format("the materials are {}", fmt::join(names, ", "))
                                    : fmt::format("did you mean \"{}\"?", nearest);

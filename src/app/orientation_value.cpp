@@ -54,7 +54,7 @@ Reading<Mat3> read_name(const std::string& text) {
     if (text == name) return Mat3(principal.asDiagonal());
     names.emplace_back(name);
   }
-  const std::string_view nearest = nearest_word(text, names);
+  const std::string nearest = nearest_word(text, names);
   if (nearest.empty()) return Complaint{"not an orientation", how_to_write};
   return Complaint{"not an orientation", fmt::format("did you mean \"{}\"?", nearest)};
 }

@@ -61,7 +61,7 @@ SimulationFailure::SimulationFailure(const std::string& what, FailurePlace place
                                      place.step, place.time, place.largest_force)),
       place_(place) {}
 
-std::string_view nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   std::string_view nearest;
   std::size_t allowed = std::max<std::size_t>(2, word.size() / 3);
   for (const std::string& candidate : candidates) {
@@ -71,7 +71,7 @@ std::string_view nearest_word(std::string_view word, const std::vector<std::stri
     nearest = candidate;
     allowed = distance;
   }
-  return nearest;
+  return std::string(nearest);
 }
 
 }  // namespace fiberfate

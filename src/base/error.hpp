@@ -60,9 +60,8 @@ class StorageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Finds the candidate that a misspelt word most likely meant, or an empty view when none is near.
+/// Finds the candidate that a misspelt word most likely meant, or an empty text when none is near.
 /// Nearness is the Damerau-Levenshtein distance; at most a third of the letters (at least 2) may differ.
-[[nodiscard]] std::string_view nearest_word(std::string_view word,
-                                            const std::vector<std::string>& candidates);
+[[nodiscard]] std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace fiberfate

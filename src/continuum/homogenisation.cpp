@@ -122,7 +122,7 @@ Homogenisation homogenisation_named(std::string_view wanted) {
     if (wanted == name(model)) return model;
     names.emplace_back(name(model));
   }
-  const std::string_view near = nearest_word(wanted, names);
+  const std::string near = nearest_word(wanted, names);
   throw InputError(fmt::format("there is no stiffness model '{}'", wanted),
                    near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));

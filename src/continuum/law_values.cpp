@@ -27,7 +27,7 @@ void check_law_values(std::string_view law, const std::vector<LawParameter>& par
 }
 
 void refuse_law_name(std::string_view kind, std::string_view name, const std::vector<std::string>& names) {
-  const std::string_view near = nearest_word(name, names);
+  const std::string near = nearest_word(name, names);
   throw InputError(fmt::format("there is no {} '{}'", kind, name),
                    near.empty() ? fmt::format("take one of {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));

@@ -27,7 +27,7 @@ Choice choice_named(const std::vector<OrientationChoice<Choice>>& all, std::stri
     if (one.name == name) return one.choice;
     names.push_back(one.name);
   }
-  const std::string_view near = nearest_word(name, names);
+  const std::string near = nearest_word(name, names);
   throw InputError(fmt::format("there is no {} '{}'", kind, name),
                    near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));
@@ -200,7 +200,7 @@ OrientationModel orientation_model_named(std::string_view name, std::string_view
     model.retardation = one.retardation;
     return model;
   }
-  const std::string_view near = nearest_word(name, names);
+  const std::string near = nearest_word(name, names);
   throw InputError(fmt::format("there is no orientation law '{}'", name),
                    near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));
@@ -214,7 +214,7 @@ void set_constant(OrientationModel& model, std::string_view name, double value) 
     model.constants.*one.member = value;
     return;
   }
-  const std::string_view near = nearest_word(name, names);
+  const std::string near = nearest_word(name, names);
   throw InputError(fmt::format("no orientation law has a constant '{}'", name),
                    near.empty() ? fmt::format("the constants are {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));

@@ -127,7 +127,7 @@ std::string unreadable_remedy(const std::string& path) {
   for (const auto& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  const std::string_view nearest = nearest_word(fs::path(path).filename().string(), names);
+  const std::string nearest = nearest_word(fs::path(path).filename().string(), names);
   if (!nearest.empty())
     return fmt::format("did you mean '{}'?", (folder / nearest).lexically_normal().string());
   return "check the path, or make a case with 'fiberfate new shear_cell'";

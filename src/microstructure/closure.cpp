@@ -73,7 +73,7 @@ Closure closure_named(std::string_view name) {
     if (one.name == wanted) return one.closure;
     names.emplace_back(one.name);
   }
-  const std::string_view near = nearest_word(wanted, names);
+  const std::string near = nearest_word(wanted, names);
   throw InputError(fmt::format("there is no closure '{}'", name),
                    near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
                                 : fmt::format("did you mean '{}'?", near));

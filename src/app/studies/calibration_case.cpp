@@ -29,7 +29,7 @@ void require_parameter(const CalibrationCase& values, const std::string& key, co
   if (law == nullptr || parameter_named(values, name) != nullptr) return;
   std::vector<std::string> names;
   for (const LawParameter& parameter : law->parameters) names.push_back(parameter.name);
-  const std::string_view near = nearest_word(name, names);
+  const std::string near = nearest_word(name, names);
   checker.error(key, fmt::format("the law {} has no parameter '{}'", law->name, name),
                 near.empty() ? fmt::format("its parameters are {}", fmt::join(names, ", "))
                              : fmt::format("did you mean '{}'?", near));

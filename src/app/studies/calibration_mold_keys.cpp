@@ -126,7 +126,7 @@ void validate_molding_of(const CalibrationCase& values, std::size_t condition, C
   for (const NamedPlace& place : molding.output.places) places.push_back(place.name);
   for (const MoldedLengths& one : values.data.lengths) {
     if (one.condition != name || std::find(places.begin(), places.end(), one.place) != places.end()) continue;
-    const std::string_view near = nearest_word(one.place, places);
+    const std::string near = nearest_word(one.place, places);
     checker.error("data.lengths", fmt::format("'{}' has no place \"{}\"", name, one.place),
                   near.empty()
                       ? "add it to output.places of the molding"

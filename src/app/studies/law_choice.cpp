@@ -115,7 +115,7 @@ void describe_name(KeyTable& table, const std::string& key, std::string& member,
       member = *text;
       return {};
     }
-    const std::string_view near = text == nullptr ? std::string_view() : nearest_word(*text, names);
+    const std::string near = text == nullptr ? std::string() : nearest_word(*text, names);
     const std::string all = fmt::format("{}", fmt::join(names, ", "));
     return {{"not one of the choices",
              near.empty() ? "give one of " + all

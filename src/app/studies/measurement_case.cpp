@@ -47,7 +47,7 @@ const std::vector<double>& column_named(const CsvTable& table, const std::string
                                         const std::string& name) {
   if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
     return table.column(name);
-  const std::string_view near = nearest_word(name, table.columns);
+  const std::string near = nearest_word(name, table.columns);
   throw InputError(
       fmt::format("{} has no column '{}'", std::filesystem::path(path).filename().string(), name),
       near.empty() ? fmt::format("its columns are {}", fmt::join(table.columns, ", "))
