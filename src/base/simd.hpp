@@ -80,9 +80,10 @@ static inline __attribute__((always_inline)) Pack exponential_of(const Pack& x) 
 
 /// Eight indices.
 typedef std::int32_t IndexPack __attribute__((vector_size(32)));
+typedef std::int32_t UnalignedIndexPack __attribute__((vector_size(32), aligned(4)));
 
-static inline __attribute__((always_inline)) IndexPack load_indices(const std::int32_t* from) {
-  return *reinterpret_cast<const IndexPack*>(from);
+static inline __attribute__((always_inline)) IndexPack read_indices(const std::int32_t* from) {
+  return *reinterpret_cast<const UnalignedIndexPack*>(from);
 }
 /// Eight floats.
 typedef float HalfFloats __attribute__((vector_size(32)));

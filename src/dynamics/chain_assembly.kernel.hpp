@@ -55,7 +55,7 @@ struct Reader {
   }
   /// Sets the lanes whose fiber has more than k rods.
   inline __attribute__((always_inline)) Mask has_rod(int k) const {
-    return __builtin_convertvector(load_indices(group.used) > k, Mask);
+    return __builtin_convertvector(read_indices(group.used) > k, Mask);
   }
 };
 

@@ -62,7 +62,7 @@ FIBERFATE_INLINE Shares read_shares(const PairLoadQuery& query, const Index* num
     places[lane] = &from.s;
     held[lane] = &from.along;  // the third number that is read there is not used
   }
-  const Mask is_second = __builtin_convertvector(load_indices(numbers) & 1, Mask) != 0;
+  const Mask is_second = __builtin_convertvector(read_indices(numbers) & 1, Mask) != 0;
   const Triple at = read_triples(places);
   const Triple resistance = read_triples(held);
   return {read_triples(force),

@@ -98,8 +98,8 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     store(block.distance + i, distance);
 
     const Pack gap = distance - query.range;
-    const IndexPack first = load_indices(pairs.first);
-    const IndexPack second = load_indices(pairs.second);
+    const IndexPack first = read_indices(pairs.first);
+    const IndexPack second = read_indices(pairs.second);
     const HalfFloats travel = gather(query.travel, first) + gather(query.travel, second);
     const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
     const Pack asleep = larger(gap, zero) * (1 - 1e-6);
