@@ -37,7 +37,8 @@ class ChunkSearch {
     const SegmentQuery query{pairs.first.data(),         pairs.second.data(),
                              pairs.image.data(),         state_.position[0].data(),
                              state_.cell.lattice.data(), neighbours_.travel().data(),
-                             neighbours_.ahead().data(), range_};
+                             neighbours_.ahead().data(), range_,
+                             neighbours_.widest_gap()};
     find_segment_distances(query, which.data(), static_cast<int>(which.size()), block_);
     for (std::size_t i = 0; i < which.size(); ++i)
       pairs.wake[static_cast<std::size_t>(which[i])] = block_.wake[i];

@@ -37,6 +37,9 @@ class NeighbourList {
   [[nodiscard]] std::span<const float> travel() const { return travel_; }
   /// Travel of every rod in the coming step, its share of the strain included, m.
   [[nodiscard]] std::span<const float> ahead() const { return ahead_; }
+  /// Gap beyond `range` that a pair may sleep for at most, m: what strain adds to travels is that of pairs as
+  /// far apart as listed ones were, and a pair may have moved farther apart since.
+  [[nodiscard]] double widest_gap() const { return farthest_ - range_; }
   /// Sum of both, m.
   [[nodiscard]] std::span<const float> reach() const { return reach_; }
   [[nodiscard]] Index fiber_of(Index rod) const { return fiber_of_[static_cast<std::size_t>(rod)]; }

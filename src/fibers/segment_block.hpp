@@ -35,6 +35,7 @@ struct SegmentQuery {
   const float* travel;     ///< of every rod (NeighbourList::travel), m
   const float* ahead;      ///< of every rod (NeighbourList::ahead), m
   double range;            ///< m
+  double widest_gap;       ///< NeighbourList::widest_gap, m
 };
 
 /// Finds s, t, separation, distance, wake and nearness of the pairs numbered which[0 … count), count <=

@@ -65,7 +65,6 @@ int find_awake_pairs(const Index* first, const Index* second, const float* wake,
 }
 
 void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block) {
-  const Pack zero = broadcast(0);
   PairPack pairs;
   for (int i = 0; i < count; i += lanes) {
     gather_pairs(query, which + i, pairs);
@@ -102,7 +101,7 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     const IndexPack second = read_indices(pairs.second);
     const HalfFloats travel = gather(query.travel, first) + gather(query.travel, second);
     const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
-    const Pack asleep = larger(gap, zero) * (1 - 1e-6);
+    const Pack asleep = clamp(gap, 0, query.widest_gap) * (1 - 1e-6);
     *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
     const Mask is_near = gap < __builtin_convertvector(ahead, Pack);
     block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(is_near));
