@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 
 namespace fiberfate {
 namespace {
@@ -102,8 +103,7 @@ std::string name_of_view(const GmshLibrary& gmsh, int tag) {
 
 }  // namespace
 
-GmshSession::GmshSession() : library_(gmsh_library()) {
-  session_mutex().lock();
+GmshSession::GmshSession() : library_(gmsh_library()), turn_(session_mutex()), threads_(thread_count()) {
   constexpr int read_config_files = 0;  // a user's own settings would change the mesh
   library_.call(library_.initialize, 0, nullptr, read_config_files);
   library_.call(library_.set_option, "General.Terminal", 0.0);
@@ -113,7 +113,7 @@ GmshSession::GmshSession() : library_(gmsh_library()) {
 GmshSession::~GmshSession() {
   int ignored = 0;
   library_.finalize(&ignored);
-  session_mutex().unlock();
+  use_threads(threads_);
 }
 
 SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, double unit) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 
 namespace fiberfate {
 namespace {
@@ -55,6 +56,14 @@ TEST(PatchMesher, TheSameInputGivesTheSameMesh) {
   const SurfaceMesh first = mesh_patches(plate()), second = mesh_patches(plate());
   EXPECT_EQ(first.triangles, second.triangles);
   EXPECT_EQ(first.points, second.points);
+}
+
+TEST(PatchMesher, LeavesTheNumberOfThreadsAlone) {
+  const int before = thread_count();
+  use_threads(3);
+  static_cast<void>(mesh_patches(plate()));
+  EXPECT_EQ(thread_count(), 3);
+  use_threads(before);
 }
 
 TEST(PatchMesher, LeavesOpeningsFreeAndPutsPointsWhereAsked) {
