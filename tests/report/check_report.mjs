@@ -100,8 +100,9 @@ try {
   try {
     const page = await open_report(browser, file, expect);
     const found = JSON.parse(await page.locator("#fiberfate-document").textContent());
-    await check_page(page, found, expect);
+    // Before the checks, which zoom into plots.
     if (options.screenshot) await page.screenshot({ path: options.screenshot, fullPage: true });
+    await check_page(page, found, expect);
     await check_without_webgl(browser, file, found, expect);
   } finally {
     await browser.close();
