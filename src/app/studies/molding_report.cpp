@@ -129,8 +129,12 @@ ReportDocument report_molding(const MoldingCase& values, const ResultFolder& fol
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(summary));
   document.sections.emplace_back(part_section(values, folder));
-  document.sections.emplace_back(
-      gate_section("pressure", "Pressure at sprue and gates", {"pressure", "Pa"}, "_pressure_Pa", series));
+  LinesSection pressures =
+      gate_section("pressure", "Pressure at sprue and gates", {"pressure", "Pa"}, "_pressure_Pa", series);
+  pressures.caption =
+      "Once the volume of the cavity is in, the sprue keeps the machine's last pressure, and those of the "
+      "gates are what still moves melt to the last free places.";
+  document.sections.emplace_back(std::move(pressures));
   document.sections.emplace_back(
       gate_section("rate", "Flow rates", {"flow rate", "cm^3/s"}, "_rate_m3_per_s", series));
   document.sections.emplace_back(lines_over_time("filled", "Filled share of the cavity", {"filled"}, series,
