@@ -7,6 +7,22 @@
 #include <fstream>
 
 namespace fiberfate {
+namespace {
+
+/// Finds the list that a key holds; null when it is not given or holds something else.
+const std::vector<TomlValue>* rows_of(const TomlDocument& document, const std::string& key) {
+  const TomlEntry* entry = document.find(key);
+  return entry == nullptr ? nullptr : std::get_if<std::vector<TomlValue>>(&entry->value.data);
+}
+
+bool begins_with(std::string_view name, const TomlValue& row) {
+  const auto* items = std::get_if<std::vector<TomlValue>>(&row.data);
+  if (items == nullptr || items->empty()) return false;
+  const auto* first = std::get_if<std::string>(&items->front().data);
+  return first != nullptr && *first == name;
+}
+
+}  // namespace
 
 InputProblem problem_at_key(const TomlDocument& document, const std::string& key) {
   if (const TomlEntry* entry = document.find(key)) return problem_at(*entry);
@@ -32,6 +48,27 @@ InputProblem CaseChecker::problem(const std::string& key, const std::string& com
 
 void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
   if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
+}
+
+void CaseChecker::error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
+                               const std::string& remedy) {
+  if (!is_sound(key)) return;
+  InputProblem found = problem(key, complaint, remedy);
+  const std::vector<TomlValue>* rows = rows_of(document_, key);
+  if (rows != nullptr && row < rows->size()) {
+    found.line = (*rows)[row].place.line;
+    found.column = (*rows)[row].place.column;
+    found.value = (*rows)[row].written;
+  }
+  errors_.push_back(std::move(found));
+}
+
+void CaseChecker::error_in_row(const std::string& key, std::string_view name, const std::string& complaint,
+                               const std::string& remedy) {
+  const std::vector<TomlValue>* rows = rows_of(document_, key);
+  std::size_t row = 0;
+  while (rows != nullptr && row < rows->size() && !begins_with(name, (*rows)[row])) ++row;
+  error_in_row(key, row, complaint, remedy);
 }
 
 void CaseChecker::warn(const std::string& key, const std::string& complaint, const std::string& remedy) {

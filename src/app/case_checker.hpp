@@ -1,7 +1,9 @@
 // Collects what is wrong between the keys of a case, each with the place where it was written.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,6 +27,12 @@ class CaseChecker {
 
   /// Reports an error at a key; where the key is not given, at the file.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
+  /// Reports an error at one row (from 0) of a key that holds a list; at the key where it has no such row.
+  void error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
+                    const std::string& remedy);
+  /// Reports an error at the row that begins with a name; at the key where none does.
+  void error_in_row(const std::string& key, std::string_view name, const std::string& complaint,
+                    const std::string& remedy);
   /// Reports something odd that does not stop the run.
   void warn(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Warns of each of these keys that is given, although with the other choices nothing reads it; `reader`

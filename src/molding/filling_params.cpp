@@ -116,8 +116,9 @@ void check_fibers(const FillingParams& params, Problems& problems) {
     problems.push_back({"", 0, 0, "fibers.gate_inlets", "",
                         fmt::format("{} inlets for {} gates", fibers.gate_inlets.size(), params.gates.size()),
                         "give one a gate, or none"});
-  for (const std::optional<InletFibers>& inlet : fibers.gate_inlets)
-    if (inlet) check_inlet(*inlet, fibers, "fibers.gate_inlets", problems);
+  for (std::size_t g = 0; g < std::min(fibers.gate_inlets.size(), params.gates.size()); ++g)
+    if (fibers.gate_inlets[g])
+      check_inlet(*fibers.gate_inlets[g], fibers, "gate " + params.gates[g].name + ".inlet", problems);
 }
 
 void check_coupling(const MoldingFibers& fibers, Problems& problems) {

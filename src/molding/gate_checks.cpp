@@ -97,7 +97,7 @@ class EventChecker {
 
 void check_place(const std::string& key, double gap, double allowed, std::vector<InputProblem>& problems) {
   if (gap > allowed)
-    problems.push_back({"", 0, 0, key, fmt::format("{:g}", gap), "so many metres lie between it and the part",
+    problems.push_back({"", 0, 0, key, "", fmt::format("it lies {:.4g} mm off the part", 1e3 * gap),
                         "move it onto the middle surface of the part"});
 }
 

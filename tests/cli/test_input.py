@@ -247,6 +247,12 @@ def test_the_message_of_a_table_points_at_the_cell(tmp_path):
     assert refuse(tmp_path, text) == expected[:1]
 
 
+def test_the_message_of_a_wrong_row_points_at_the_row(tmp_path):
+    text = edit('rate = "10 1/s"\nviscosity = "200 Pa s"', 'kind = "table"\ntable = [["2 s", 5, 200],\n  ["1 s", 5, 200]]')
+    assert refuse(tmp_path, text) == [
+        'case.toml:16:3: flow.table = ["1 s", 5, 200]: the end time of row 2 is not later than that of row 1: sort the rows by end time']
+
+
 def test_a_case_without_a_study_is_told_the_studies(tmp_path):
     text, expected = EXACT["no study"]
     messages = refuse(tmp_path, text)

@@ -165,7 +165,7 @@ def test_a_measured_series_may_be_another_runs_result(tmp_path):
 
 @pytest.mark.parametrize("override, message", [
     ('fit.free=["lamda"]', "the law stress_induced has no parameter 'lamda': did you mean 'lambda'?"),
-    ('data.series=[["50rpm", "L_inf", "1 mm"]]', "there is no condition '50rpm'"),
+    ('data.series=[["50rpm", "L_inf", "1 mm"]]', "data.series = [\"50rpm\", \"L_inf\", \"1 mm\"]: there is no condition '50rpm'"),
     ('data.series=[["50 rpm", "L_W", "absent.csv"]]', "absent.csv"),
     ('data.series=[["50 rpm", "a11", "absent.csv"]]', "a11 does not belong to an attrition law"),
     ('conditions.rates=["1 1/s", "2 1/s", "3 1/s"]', "3 entries for 2 conditions"),

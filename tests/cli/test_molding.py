@@ -189,6 +189,7 @@ def test_sensors_valves_and_amounts_are_in_the_checkpoint(tmp_path, name, varian
 
 def test_threads_give_the_same_bits(plaque, tmp_path):
     fill(tmp_path / "r", "30_plaque", *QUICK, "--threads", "3")
+    assert summary(tmp_path / "r")["threads"] == 3, "the mesher leaves the threads alone"
     assert series(tmp_path / "r") == series(plaque)
     assert series(tmp_path / "r", "profiles.csv") == series(plaque, "profiles.csv")
 
@@ -299,12 +300,17 @@ def test_a_sweep_rides_on_one_filling_and_finds_xi(tmp_path):
 
 @pytest.mark.parametrize("overrides, message", [
     (['part.gate="given"', 'gates.places=[["G1", "400 mm", "50 mm"]]'], "move it onto the middle surface"),
+    (['gates.places=[["G1", "0 mm", "50 mm"], ["G2", "400 mm", "50 mm"]]'],
+     'gates.places = ["G2", "400 mm", "50 mm"]: it lies 95 mm off the part: move it'),
+    (['gates.inlet_orientations=[["gate", 0.9, 0.5, 0.05]]'],
+     'gates.inlet_orientations = ["gate", 0.9, 0.5, 0.05]: its trace is 1.45, not 1'),
+    (['machine.fill_time=-1 s'], 'machine.fill_time = "-1 s": out of range'),
     (['part.gate="given"'], "place at least one gate on the part"),
     (['gates.valves=[["gate", "filled 0.5"]]'], "the cavity cannot fill"),
     (['gates.valves=[["G7", "filled 0.5"]]'], 'there is no gate "G7"'),
     (['gates.valves=[["gate", "soon"]]'], "is no event"),
     (['gates.valves=[["gate", "start", "filled 0.5", "filled 0.4"]]'],
-     'gates.valves = [["gate", "start", "filled 0.5", "filled 0.4"]]: gate gate.events: event 3, filled 0.4, does not come '
+     'gates.valves = ["gate", "start", "filled 0.5", "filled 0.4"]: event 3, filled 0.4, does not come '
      "after event 2, filled 0.5: sort the events: opens, closes, opens again, ..."),
     (['gates.valves=[["gate", "start", "time 0 s"]]'], "time 0 s, does not come after event 1, start"),
     (['gates.valves=[["gate", "start", "never", "time 2 s"]]'], "follows one that never comes"),

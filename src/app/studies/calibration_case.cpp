@@ -116,9 +116,11 @@ void validate_search(const CalibrationCase& values, CaseChecker& checker) {
     if (parameter == nullptr) continue;
     try {
       if (!(quantity_in_si(row[1], parameter->unit) < quantity_in_si(row[2], parameter->unit)))
-        checker.error("fit.bounds", fmt::format("the bounds of {} are out of order", row[0]), "swap them");
+        checker.error_in_row("fit.bounds", row[0], fmt::format("the bounds of {} are out of order", row[0]),
+                             "swap them");
     } catch (const std::invalid_argument& problem) {
-      checker.error("fit.bounds", fmt::format("{}: {}", row[0], problem.what()), "give values with units");
+      checker.error_in_row("fit.bounds", row[0], fmt::format("{}: {}", row[0], problem.what()),
+                           "give values with units");
     }
   }
   if (values.search.free.empty() && checker.is_sound("fit.free"))
@@ -163,7 +165,11 @@ void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
     pose_calibration(values, read_measurements(values)).check();
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems())
-      checker.error(molds ? "data.lengths" : "data.series", problem.complaint, problem.remedy);
+      if (problem.key == "data.series")
+        checker.error_in_row(problem.key, static_cast<std::size_t>(problem.line) - 1, problem.complaint,
+                             problem.remedy);
+      else
+        checker.error(molds ? "data.lengths" : "data.series", problem.complaint, problem.remedy);
   }
 }
 

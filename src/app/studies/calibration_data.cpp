@@ -124,15 +124,16 @@ MeasuredSeries read_series(const CalibrationCase& values, const std::vector<std:
 std::vector<MeasuredSeries> read_measurements(const CalibrationCase& values) {
   if (calibrates_in_molds(values)) return molded_series(values);
   std::vector<MeasuredSeries> all;
-  for (const std::vector<std::string>& row : values.data.series) {
+  for (std::size_t i = 0; i < values.data.series.size(); ++i) {
+    const auto refuse = [i](const std::string& complaint, const std::string& remedy) {
+      throw InputError({{"", static_cast<int>(i) + 1, 0, "data.series", "", complaint, remedy}});
+    };
     try {
-      all.push_back(read_series(values, row));
+      all.push_back(read_series(values, values.data.series[i]));
     } catch (const StorageError& error) {
-      throw InputError(fmt::format("row [{}]: {}", fmt::join(row, ", "), error.what()),
-                       "give the path of a CSV file, relative to the case file");
+      refuse(error.what(), "give the path of a CSV file, relative to the case file");
     } catch (const InputError& error) {
-      const InputProblem& problem = error.problems().front();
-      throw InputError(fmt::format("row [{}]: {}", fmt::join(row, ", "), problem.complaint), problem.remedy);
+      refuse(error.problems().front().complaint, error.problems().front().remedy);
     }
   }
   return all;

@@ -25,7 +25,8 @@ struct MeasuredSeries {
   std::vector<double> deviations;  ///< standard deviations, SI
 };
 
-/// Reads all series of a case. Raises InputError that names the row, the file and what is wrong.
+/// Reads all series of a case. Raises InputError with the file and what is wrong, its line the
+/// row of data.series, from 1.
 [[nodiscard]] std::vector<MeasuredSeries> read_measurements(const CalibrationCase& values);
 
 }  // namespace fiberfate

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include "app/studies/molding_setup.hpp"
 
@@ -19,11 +22,19 @@ constexpr double most_obtuse = 0.02;
 /// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
 constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
 
+/// All keys that can give the flow.
+constexpr const char* flow_keys[] = {"machine.flow_rate",    "machine.fill_time",
+                                     "machine.flow_profile", "machine.flow_by_filled",
+                                     "machine.ram_profile",  "machine.ram_by_filled"};
+
 void validate_machine(const MachineChoices& machine, CaseChecker& checker) {
   const int given = (machine.flow_rate ? 1 : 0) + (machine.fill_time ? 1 : 0) +
                     (machine.flow_profile.empty() ? 0 : 1) + (machine.flow_by_filled.empty() ? 0 : 1) +
                     (machine.ram_profile.empty() ? 0 : 1) + (machine.ram_by_filled.empty() ? 0 : 1);
-  if (given != 1)
+  // A profile that could not be read is no second fault.
+  const auto is_sound = [&checker](const char* key) { return checker.is_sound(key); };
+  const bool readable = std::all_of(std::begin(flow_keys), std::end(flow_keys), is_sound);
+  if (given != 1 && readable)
     checker.error(
         "machine.flow_rate", given == 0 ? "no flow is given" : "the flow is given in more than one way",
         "give one of flow_rate, fill_time, flow_profile, flow_by_filled, ram_profile, ram_by_filled");
@@ -78,8 +89,8 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
   for (const MeasuredLength& one : sweep.measured)
     if (std::none_of(values.output.places.begin(), values.output.places.end(),
                      [&](const NamedPlace& place) { return place.name == one.place; }))
-      checker.error("sweep.measured", fmt::format("there is no place \"{}\"", one.place),
-                    "add it to output.places");
+      checker.error_in_row("sweep.measured", one.place, fmt::format("there is no place \"{}\"", one.place),
+                           "add it to output.places");
   if (sweep.parameter.empty()) {
     checker.warn_unused({"sweep.lower", "sweep.upper", "sweep.count", "sweep.spacing", "sweep.measured"},
                         "sweep.parameter");
@@ -101,21 +112,69 @@ void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
         "calibration");
 }
 
-/// Finds the key of the case that a fault of the solver's parameters belongs to.
-std::string key_of(const std::string& fault) {
-  if (fault.starts_with("gates.") || fault.starts_with("part.") || fault.starts_with("material."))
-    return fault;
-  if (fault == "material.viscosity") return "melt.name";
-  if (fault.starts_with("sensor ")) return "gates.sensors";
-  if (fault.starts_with("gate ") && fault.ends_with(".events")) return "gates.valves";
-  if (fault.starts_with("gate ") && fault.ends_with(".resistance")) return "gates.resistance";
-  if (fault.starts_with("gate") || fault == "fibers.gate_inlets") return "gates.places";
-  if (fault == "process.flow") return "machine.flow_rate";
-  if (fault == "process.inlet_temperature") return "machine.melt_temperature";
-  if (fault.starts_with("process.mold")) return "machine.mold_temperature";
-  if (fault.starts_with("process")) return "machine.switchover";
-  if (fault.starts_with("numerics")) return fault;
-  return fault.starts_with("fibers") || fault.starts_with("length") ? "fibers.length" : "part.kind";
+/// Requires three coordinates of places on a part that has no flat drawing.
+void validate_coordinates(const MoldingCase& values, CaseChecker& checker) {
+  if (values.part.kind != PartKind::file) return;
+  const auto check = [&checker](const char* key, const std::vector<NamedPlace>& places) {
+    for (const NamedPlace& place : places)
+      if (place.numbers.size() % 3 != 0)
+        checker.error_in_row(key, place.name, "two coordinates, but a part from a file lies in space",
+                             "give x, y and z");
+  };
+  check("gates.places", values.gates.places);
+  check("gates.sensors", values.gates.sensors);
+  check("output.places", values.output.places);
+}
+
+/// Names what a fault of the solver's parameters belongs to: a key of the case, and the row of it that
+/// begins with a name.
+struct FaultPlace {
+  std::string key;
+  std::string row;
+};
+
+/// Finds the place of a fault of one gate, "gate G1.position"; a part's own gate has no row.
+FaultPlace place_at_gate(const std::string& fault) {
+  constexpr std::pair<std::string_view, const char*> keys[] = {
+      {".events", "gates.valves"},
+      {".resistance", "gates.resistance"},
+      {".radius", "gates.radius"},
+      {".position", "gates.places"},
+      {".inlet.orientation", "gates.inlet_orientations"},
+      {".inlet.lengths", "gates.inlet_lengths"},
+      {".inlet.numbers", "gates.inlet_numbers"}};
+  const std::string named = fault.substr(std::string_view("gate ").size());
+  for (const auto& [what, key] : keys)
+    if (named.ends_with(what)) return {key, named.substr(0, named.size() - what.size())};
+  return {"gates.places", ""};
+}
+
+/// Finds the key under which the case gives the flow.
+std::string key_of_flow(const MachineChoices& machine) {
+  if (!machine.flow_profile.empty()) return "machine.flow_profile";
+  if (!machine.flow_by_filled.empty()) return "machine.flow_by_filled";
+  if (!machine.ram_profile.empty()) return "machine.ram_profile";
+  return machine.ram_by_filled.empty() ? "machine.flow_rate" : "machine.ram_by_filled";
+}
+
+/// Finds the place in the case of a fault of the solver's parameters.
+FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
+  const std::string& fault = problem.key;
+  const auto starts = [&fault](const char* with) { return fault.starts_with(with); };
+  if (starts("gates.")) return {fault, problem.value};
+  if (fault == "material.viscosity") return {"melt.name", ""};
+  if (starts("part.") || starts("material.") || starts("numerics") || starts("output.")) return {fault, ""};
+  if (starts("sensor ")) return {"gates.sensors", fault.substr(7, fault.rfind('.') - 7)};
+  if (starts("gate ")) return place_at_gate(fault);
+  if (starts("gate")) return {"gates.places", ""};
+  if (fault == "process.flow") return {key_of_flow(values.machine), ""};
+  if (fault == "process.inlet_temperature") return {"machine.melt_temperature", ""};
+  if (starts("process.mold")) return {"machine.mold_temperature", ""};
+  if (starts("process")) return {"machine.switchover", ""};
+  if (starts("fibers.inlet.orientation")) return {"fibers.inlet_orientation", ""};
+  if (starts("fibers.coupling")) return {"fibers.coupling", ""};
+  if (starts("fibers") || starts("length")) return {"fibers.length", ""};
+  return {values.part.kind == PartKind::file ? "part.file" : "part.kind", ""};
 }
 
 /// Tells which share of the edges lies between triangles so obtuse that it conducts nothing.
@@ -146,17 +205,21 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
       probe.position = position_of(place, setup.part);
       const double gap = distance_from_part(probe, mesh);
       if (gap > std::max(values.output.place_radius, 1e-3))
-        checker.error("output.places",
-                      fmt::format("\"{}\" lies {:.4g} mm off the part", place.name, 1e3 * gap),
-                      "move it onto the part");
+        checker.error_in_row("output.places", place.name,
+                             fmt::format("\"{}\" lies {:.4g} mm off the part", place.name, 1e3 * gap),
+                             "move it onto the part");
     }
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
-      const std::string key = key_of(problem.key);
+      const FaultPlace place = place_of(problem, values);
+      if (!place.row.empty()) {
+        checker.error_in_row(place.key, place.row, problem.complaint, problem.remedy);
+        continue;
+      }
       std::string subject;
-      if (key != problem.key && !problem.key.empty())
+      if (place.key != problem.key && !problem.key.empty())
         subject = problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
-      checker.error(key, subject + problem.complaint, problem.remedy);
+      checker.error(place.key, subject + problem.complaint, problem.remedy);
     }
   }
 }
@@ -172,6 +235,7 @@ void validate_molding(const MoldingCase& values, CaseChecker& checker) {
   validate_machine(values.machine, checker);
   validate_lengths(values, checker);
   validate_sweep(values, checker);
+  validate_coordinates(values, checker);
   // A part from a file that may be gone is in the checkpoint.
   const bool meshed_before = values.part.kind == PartKind::file && checker.files_may_be_gone();
   if (checker.is_sound() && !meshed_before) validate_filling(values, checker);

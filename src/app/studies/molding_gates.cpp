@@ -10,25 +10,26 @@
 namespace fiberfate {
 namespace {
 
-[[noreturn]] void refuse(const char* key, std::string complaint, std::string remedy) {
-  throw InputError({{"", 0, 0, key, "", std::move(complaint), std::move(remedy)}});
+/// Raises InputError; its value is the name with which the faulty row of the key begins.
+[[noreturn]] void refuse(const char* key, const std::string& row, std::string complaint, std::string remedy) {
+  throw InputError({{"", 0, 0, key, row, std::move(complaint), std::move(remedy)}});
 }
 
 /// Finds a gate by name; raises InputError with the key that names it.
 std::size_t gate_named(const std::vector<Gate>& gates, const std::string& wanted, const char* key) {
   for (std::size_t i = 0; i < gates.size(); ++i)
     if (gates[i].name == wanted) return i;
-  refuse(key, fmt::format("there is no gate \"{}\"", wanted),
+  refuse(key, wanted, fmt::format("there is no gate \"{}\"", wanted),
          "name a gate of [gates] places or of the part; a part's only gate is called \"gate\"");
 }
 
-Trigger trigger_of(const ValveEvent& event, const std::vector<NamedPlace>& sensors) {
+Trigger trigger_of(const ValveEvent& event, const std::string& gate, const std::vector<NamedPlace>& sensors) {
   Trigger trigger = event.trigger;
   if (event.sensor.empty()) return trigger;
   const auto found = std::find_if(sensors.begin(), sensors.end(),
                                   [&](const NamedPlace& one) { return one.name == event.sensor; });
   if (found == sensors.end())
-    refuse("gates.valves", fmt::format("there is no sensor \"{}\"", event.sensor),
+    refuse("gates.valves", gate, fmt::format("there is no sensor \"{}\"", event.sensor),
            "place it in gates.sensors");
   trigger.sensor = static_cast<int>(found - sensors.begin());
   return trigger;
@@ -38,7 +39,7 @@ Trigger trigger_of(const ValveEvent& event, const std::vector<NamedPlace>& senso
 std::vector<OpenInterval> intervals_of(const ValveTimes& valve, const std::vector<NamedPlace>& sensors) {
   std::vector<OpenInterval> intervals;
   for (std::size_t i = 0; i < valve.events.size(); ++i) {
-    const Trigger trigger = trigger_of(valve.events[i], sensors);
+    const Trigger trigger = trigger_of(valve.events[i], valve.gate, sensors);
     if (i % 2 == 0)
       intervals.push_back({trigger});
     else
@@ -61,7 +62,7 @@ Gate gate_at(const NamedPlace& place, double radius, const MoldingPart& part) {
 
 void require_numbers(const GateNumbers& gate, std::size_t wanted, const char* key, const char* remedy) {
   if (gate.numbers.size() != wanted)
-    refuse(key,
+    refuse(key, gate.gate,
            fmt::format("gate \"{}\" has {} numbers where {} belong", gate.gate, gate.numbers.size(), wanted),
            remedy);
 }
@@ -72,7 +73,7 @@ std::vector<Sensor> sensors_of(const GateChoices& choices, const MoldingPart& pa
   std::vector<Sensor> sensors;
   for (const NamedPlace& place : choices.sensors) {
     if (place.name.empty() || place.name.find(' ') != std::string::npos)
-      refuse("gates.sensors", fmt::format("\"{}\" is not one word", place.name),
+      refuse("gates.sensors", place.name, fmt::format("\"{}\" is not one word", place.name),
              "events name sensors by one word, as in \"sensor S1 0.1 s\"");
     sensors.push_back({place.name, position_of(place, part)});
   }
@@ -113,7 +114,7 @@ void add_gate_inlets(const GateChoices& choices, MoldingSetup& setup) {
   }
   for (const GateNumbers& one : choices.numbers) {
     if (setup.reading == LengthReading::means || classes < 2)
-      refuse("gates.inlet_numbers", "there is no distribution whose classes could be counted",
+      refuse("gates.inlet_numbers", one.gate, "there is no distribution whose classes could be counted",
              "give fibers.distribution");
     require_numbers(one, classes, "gates.inlet_numbers", "give one number a class of fibers.distribution");
     inlet_of(one.gate, "gates.inlet_numbers").numbers = one.numbers;

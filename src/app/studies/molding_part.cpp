@@ -186,9 +186,9 @@ void validate_thickness(const PartChoices& part, CaseChecker& checker) {
 void require_rows_to_rise(const PartChoices& part, CaseChecker& checker) {
   for (std::size_t i = 1; i < part.thickness_profile.size(); ++i)
     if (!(part.thickness_profile[i][0] > part.thickness_profile[i - 1][0]))
-      checker.error("part.thickness_profile",
-                    fmt::format("x of row {} is not larger than that of row {}", i + 1, i),
-                    "sort the rows by x");
+      checker.error_in_row("part.thickness_profile", i,
+                           fmt::format("x of row {} is not larger than that of row {}", i + 1, i),
+                           "sort the rows by x");
 }
 
 /// Refuses the surface of a solid: every edge of it belongs to two triangles, which no shell with an edge

@@ -70,10 +70,11 @@ Mat3 constant_gradient(const OrientationFlowChoices& flow) {
 void validate_table(const OrientationFlowChoices& flow, CaseChecker& checker) {
   for (std::size_t i = 0; i < flow.table.size(); ++i) {
     if (i == 0 ? flow.table[0][0] == 0 : flow.table[i][0] > flow.table[i - 1][0]) continue;
-    checker.error("flow.table",
-                  i == 0 ? std::string("the first row is not at time 0")
-                         : fmt::format("the time of row {} is not later than that of row {}", i + 1, i),
-                  "begin with a row at 0 s and sort the rows by time");
+    checker.error_in_row("flow.table", i,
+                         i == 0
+                             ? std::string("the first row is not at time 0")
+                             : fmt::format("the time of row {} is not later than that of row {}", i + 1, i),
+                         "begin with a row at 0 s and sort the rows by time");
     return;
   }
 }

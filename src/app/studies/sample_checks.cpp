@@ -89,9 +89,9 @@ void validate_more_kinds(const FiberChoices& fibers, CaseChecker& checker) {
     const double length = fibers.more_kinds[i][0], diameter = fibers.more_kinds[i][1],
                  rod_length = fibers.more_kinds[i][4];
     if (length < diameter || rod_length < diameter)
-      checker.error("fibers.more_kinds",
-                    fmt::format("row {}: the fiber or its rods are shorter than it is thick", i + 1),
-                    "give a length and a rod_length of at least one diameter");
+      checker.error_in_row("fibers.more_kinds", i,
+                           fmt::format("row {}: the fiber or its rods are shorter than it is thick", i + 1),
+                           "give a length and a rod_length of at least one diameter");
   }
 }
 

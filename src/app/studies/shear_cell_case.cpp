@@ -37,9 +37,9 @@ void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   checker.warn_unused({"flow.rate", "flow.viscosity"}, "flow.kind = \"constant\" or \"ramp\"");
   for (std::size_t i = 1; i < flow.table.size(); ++i) {
     if (flow.table[i][0] > flow.table[i - 1][0]) continue;
-    checker.error("flow.table",
-                  fmt::format("the end time of row {} is not later than that of row {}", i + 1, i),
-                  "sort the rows by end time");
+    checker.error_in_row("flow.table", i,
+                         fmt::format("the end time of row {} is not later than that of row {}", i + 1, i),
+                         "sort the rows by end time");
     break;
   }
 }

@@ -47,7 +47,7 @@ TEST(FillingParamsChecks, FaultsAreListedTogether) {
   params.numerics.layers = 7;
   EXPECT_EQ(complaint(params),
             "material.density = -1: it is not positive: give a number above zero\n"
-            "gate gate.position = 0.1: so many metres lie between it and the part: move it onto the middle "
+            "gate gate.position: it lies 100 mm off the part: move it onto the middle "
             "surface of the part\n"
             "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 128");
 }
@@ -100,7 +100,7 @@ TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {
 TEST(FillingParamsChecks, SensorsLieOnThePart) {
   FillingParams params = sound();
   params.sensors = {{"S1", {0.5, 0.5, 0.01}}};
-  EXPECT_NE(complaint(params).find("sensor S1.position = 0.01"), std::string::npos);
+  EXPECT_NE(complaint(params).find("sensor S1.position: it lies 10 mm off the part"), std::string::npos);
 }
 
 TEST(FillingParamsChecks, FibersMustFitTheirClasses) {
