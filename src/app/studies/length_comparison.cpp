@@ -2,6 +2,7 @@
 #include "app/studies/length_comparison.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "app/studies/fiber_sections.hpp"
 
@@ -40,21 +41,21 @@ void measure_means(const std::vector<WeightedLengths>& laws, LengthComparison& c
 }
 
 void measure_fit(LengthComparison& comparison) {
-  constexpr double fewest = 5;  // fibers; the sum follows chi-square's law only above about this
-  double other_found = 0, other_expected = 0;
-  const auto add = [&comparison](double found, double expected) {
+  // Neighbouring bins are put together until this many fibers are expected: the sum follows chi-square's law
+  // only above about that.
+  constexpr double fewest = 5;
+  double found = 0, expected = 0;
+  double left = std::accumulate(comparison.expected.begin(), comparison.expected.end(), 0.0);
+  for (std::size_t bin = 0; bin < comparison.found.size(); ++bin) {
+    found += comparison.found[bin];
+    expected += comparison.expected[bin];
+    left -= comparison.expected[bin];
+    const bool last = bin + 1 == comparison.found.size();
+    if (!(expected > 0) || (!last && std::min(expected, left) < fewest)) continue;
     comparison.chi_square += (found - expected) * (found - expected) / expected;
     ++comparison.chi_square_bins;
-  };
-  for (std::size_t bin = 0; bin < comparison.found.size(); ++bin) {
-    if (comparison.expected[bin] >= fewest) {
-      add(comparison.found[bin], comparison.expected[bin]);
-      continue;
-    }
-    other_found += comparison.found[bin];
-    other_expected += comparison.expected[bin];
+    found = expected = 0;
   }
-  if (other_expected > 0) add(other_found, other_expected);
 }
 
 }  // namespace
