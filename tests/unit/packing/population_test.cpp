@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/constants.hpp"
@@ -93,6 +94,70 @@ TEST(Population, VolumeOfALengthDistributionIsExactToOneFiber) {
   for (const FiberBlank& fiber : population.fibers) length += fiber.length;
   const double asked = 0.05 * 27e-9 / (pi * 9.5e-6 * 9.5e-6);
   EXPECT_NEAR(length, asked, 0.5e-3 + 1e-9);  // half a mean fiber
+}
+
+const LengthLaw laws[] = {SingleLength{1e-3},
+                          LengthHistogram{{0, 0.5e-3, 1e-3, 2e-3}, {1, 3, 0.5}, HistogramHeight::fibers},
+                          LengthHistogram{{0.2e-3, 1e-3, 2e-3}, {2, 1}, HistogramHeight::length},
+                          ListedLengths{{0.4e-3, 0.7e-3, 1.6e-3}},
+                          WeibullLengths{0.8e-3, 1.3e-3},
+                          LogNormalLengths{0.8e-3, 1.3e-3}};
+
+double volume_of(const Population& population) {
+  double volume = 0;
+  for (const FiberBlank& fiber : population.fibers)
+    volume += pi * std::pow(population.materials[fiber.material_id].radius, 2) * fiber.length;
+  return volume;
+}
+
+TEST(Population, MeanLengthsOfEveryLawAreWithinHalfAPercent) {
+  for (const LengthLaw& law : laws) {
+    FiberSpecies species = glass(1);
+    species.length = law;
+    ConcentrationRequest request;
+    request.volume_fraction = 0.05;
+    for (const std::int64_t count : {500, 1331}) {
+      request.count = count;
+      double first = 0, second = 0;
+      for (const FiberBlank& fiber : plan_population({species}, request, 2).fibers) {
+        first += fiber.length;
+        second += fiber.length * fiber.length;
+      }
+      EXPECT_NEAR(first / static_cast<double>(count) / number_average(law), 1, 0.005) << law.index();
+      EXPECT_NEAR(second / first / weight_average(law), 1, 0.005) << law.index();
+    }
+  }
+}
+
+// A number that was asked for is kept, and the cell is made for it: exact. A cell that was asked for holds
+// whole fibers, to one of them.
+TEST(Population, VolumeIsExactHoweverTheAmountIsGiven) {
+  for (const LengthLaw& law : laws) {
+    FiberSpecies species = glass(1);
+    species.length = law;
+    const double area = pi * 9.5e-6 * 9.5e-6;
+    for (const bool by_weight : {false, true}) {
+      ConcentrationRequest request;
+      request.matrix_density = 905;
+      if (by_weight)
+        request.weight_fraction = 0.12;
+      else
+        request.volume_fraction = 0.05;
+      const double fraction = by_weight ? volume_from_weight_fraction(0.12, 2550, 905) : 0.05;
+      request.count = 700;
+      const Population counted = plan_population({species}, request, 2);
+      const double cell = counted.cell_size.prod();
+      EXPECT_NEAR(volume_of(counted) / (fraction * cell), 1, 1e-12) << law.index();
+      EXPECT_NEAR(counted.volume_fraction, fraction, 1e-12) << law.index();
+      request.count.reset();
+      request.cell_size = Vec3::Constant(3e-3);
+      const Population filled = plan_population({species}, request, 2);
+      double longest = 0;
+      for (const FiberBlank& fiber : filled.fibers) longest = std::max(longest, fiber.length);
+      EXPECT_NEAR(volume_of(filled), fraction * 27e-9, longest * area) << law.index();
+      EXPECT_NEAR(filled.volume_fraction, volume_of(filled) / 27e-9, 1e-12) << law.index();
+    }
+  }
 }
 
 TEST(Population, RefusesContradictions) {
