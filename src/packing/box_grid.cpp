@@ -20,7 +20,7 @@ double farthest_centres(const Chains& chains, const NeighbourRange& range) {
   double longest = 0, thickest = 0;
   for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
     longest = std::max(longest, chains.rod_length[f]);
-    thickest = std::max(thickest, chains.radius[f]);
+    thickest = std::max(thickest, chains.radius[f] * chains.swelling[f]);
   }
   return longest + 2 * thickest * range.swelling + range.reach + range.skin;
 }

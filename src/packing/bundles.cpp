@@ -146,6 +146,8 @@ BundlePlan plan_bundles(const PackingRequest& request) {
   BundlePlan plan;
   plan.bundles = request;
   plan.bundles.start = PackingStart::dispersed;
+  // Bundles are not what the contact law is of: they need not be at rest under it.
+  plan.bundles.rest.force_constant = 0;
   plan.bundles.materials.clear();
   plan.bundles.fibers.clear();
   std::vector<std::size_t> order(request.fibers.size());

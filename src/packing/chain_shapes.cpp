@@ -31,6 +31,8 @@ void ChainMaker::append(std::span<const Vec3> nodes) {
   chains_.first_node.push_back(static_cast<Index>(chains_.position.size()));
   chains_.rod_length.push_back(length);
   chains_.radius.push_back(material.radius / unit_);
+  chains_.swelling.push_back(1);
+  chains_.firmness.push_back(1);
   const double stiffness = stiffest_ > 0 ? material.bending_stiffness() / stiffest_ : 1;
   chains_.bending_stiffness.push_back(stiffness / (length * length * length));
 }

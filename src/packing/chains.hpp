@@ -22,6 +22,10 @@ struct Chains {
   std::vector<double> radius;
   std::vector<double> bending_stiffness;  ///< E I / l³ over the unit of stiffness
 
+  // 1 but for fibers that are being put in among others (Relief).
+  std::vector<double> swelling;  ///< one entry a fiber: multiplies its radius
+  std::vector<double> firmness;  ///< one entry a fiber: see RodRecord
+
   Cell cell;
 
   [[nodiscard]] std::ptrdiff_t fiber_count() const { return static_cast<std::ptrdiff_t>(rod_length.size()); }

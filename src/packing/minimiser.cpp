@@ -55,7 +55,7 @@ void Minimiser::use(const PackingEnergy& energy) {
   // Largest eigenvalues: of the bending of a chain 16 per unit of stiffness, of contacts about 20 (ten a
   // node).
   const double hardest = 16 * (stiffest * energy.bending + (energy.barrier_radius > 0 ? energy.barrier : 0)) +
-                         20 * energy.repulsion.stiffness;
+                         20 * energy.repulsion.stiffness + 10 * energy.repulsion.hardness;
   largest_step_size_ = 1.5 / std::sqrt(hardest);
   step_size_ = std::min(step_size_, largest_step_size_);
 }

@@ -43,6 +43,14 @@ class Minimiser {
   PackingMeasure step();
   /// Measures the present positions without moving them.
   PackingMeasure measure();
+  /// Lists neighbours anew: to be called after chains were put elsewhere, swollen or made firmer.
+  void forget_neighbours() { lists_valid_ = false; }
+  /// Largest overlap of the rod that begins at this node, in sums of two radii, as last measured.
+  [[nodiscard]] double overlap(std::size_t node) const {
+    return loads_[neighbours_.slot(node)].largest_overlap;
+  }
+  /// Lists the rods near the one that begins at this node.
+  [[nodiscard]] std::vector<NeighbourRod> near(std::size_t node) const { return neighbours_.of(node); }
   [[nodiscard]] std::int64_t rebuilds() const { return rebuilds_; }
   /// Brings all rods to their lengths to round-off.
   void finish();
@@ -72,7 +80,7 @@ class Minimiser {
   std::vector<Vec3> listed_position_;
   Mat3 orientation_error_ = Mat3::Zero();
   double total_length_ = 0;
-  NeighbourRange range_ = {0, 0, 1};
+  NeighbourRange range_ = {1, 0, 1};
   int list_age_ = 0;
   bool lists_valid_ = false;
   std::int64_t rebuilds_ = 0;

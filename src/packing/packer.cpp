@@ -1,4 +1,5 @@
-// Runs the stages of packing: spread, untangle, bundle or compress, part or bend, settle, ease, rest.
+// Runs the stages of packing: spread, untangle, relieve, bundle or compress, part or bend, settle, ease,
+// rest.
 #include "packing/packer.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "base/error.hpp"
 #include "microstructure/orientation_statistics.hpp"
 #include "packing/bundles.hpp"
+#include "packing/relief.hpp"
 
 namespace fiberfate {
 namespace {
@@ -26,13 +28,34 @@ constexpr double straight_limit = 5;       // straight fibers fit below a volume
 constexpr int first_straight_steps = 400;  // from where they fell: spreading would space them more evenly
 constexpr int straight_steps = 2000;
 constexpr int clearance_steps = 200;
-constexpr double first_bending = 7;  // that of glass of 19 um under the default contact law
-// Fibers that press harder than contacts of that law can bear pass through one another, the more of them the
-// stiffer they are made; back at their own stiffness they have less to press for.
-constexpr double untangle_stress[] = {16, 8, 4, 2, 1};  // times first_bending
-constexpr int untangle_steps = 100;                     // each
-constexpr double untangle_saturation = 1.0 / 19;        // the ramp of that law
-constexpr double untangle_decay = -1.4;                 // the deeper they overlap, the less they repel
+constexpr double first_bending = 7;     // that of glass of 19 um under the default contact law
+constexpr double soft_ramp = 1.0 / 19;  // the ramp of that law; its saturation too, as k is 1
+constexpr double soft_decay = -1.4;     // the deeper fibers overlap, the less they repel: they can pass
+// Fibers that press harder than contacts can bear pass through one another, the more of them the stiffer they
+// are made; back at their own stiffness they have less to press for.
+struct Stress {
+  double stiffness;  // times first_bending
+  int steps;
+};
+constexpr Stress untangle_stress[] = {{16, 100}, {8, 100}, {4, 100}, {2, 100}, {1, 100}};
+// What presses too hard even then is taken out and put back elsewhere, if it is not too much.
+constexpr double relief_stress = 1.2;       // leaves a margin below what contacts bear
+constexpr double relief_overlap = 0.0205;   // of the soft ramp: contacts that carry more than 0.89 of F0
+constexpr double relief_hold = 0.1;         // of the hold on orientation, which contacts would have to bear
+constexpr double most_moved = 0.2;          // share of the fibers
+constexpr double insertion_swelling = 4;    // a fiber that is put back first finds the middle of the gap,
+constexpr double insertion_firmness = 0.2;  // pressing softly
+constexpr int insertion_steps = 40;
+constexpr Stress insertion_stress[] = {{16, 40}, {8, 40}, {4, 40}, {2, 40}, {relief_stress, 60}};
+constexpr int first_relief_steps = 120;
+constexpr int calm_steps = 60;
+constexpr int relief_rounds = 40;
+constexpr int first_rest_steps = 120;
+constexpr int rest_rounds = 12;
+constexpr double rest_barrier_margin = 1.12;  // over the radius wanted: contacts press on
+constexpr double rest_barrier_share = 0.25;   // of the mean radius: the smallest radius aimed at at rest
+constexpr double core_share = 0.9;            // of the overlap tolerance: where the hard core of rods begins
+constexpr double core_hardness = 4;
 constexpr double bending_decay = 0.1;
 constexpr double least_bending = 1e-4;
 constexpr int bending_steps = 100;
@@ -125,7 +148,7 @@ Chains Packer::disperse() {
   spread(coarse);
   Chains chains = divide_chains(coarse, request_, final_rods);
   untangle(chains);
-  bend(chains);
+  if (!relieve(chains)) bend(chains);
   return chains;
 }
 
@@ -183,14 +206,71 @@ void Packer::spread(Chains& chains) {
 void Packer::untangle(Chains& chains) {
   Minimiser minimiser(chains, target_);
   minimiser.finish();
-  PackingEnergy energy = plain_energy();
-  energy.repulsion.saturation = untangle_saturation;
-  energy.repulsion.decay = untangle_decay;
   stage_ = "untangle";
-  for (const double stress : untangle_stress) {
-    energy.bending = stress * first_bending;
-    relax(minimiser, energy, untangle_steps, {-1, 0});
+  for (const Stress& stress : untangle_stress) {
+    PackingEnergy energy = law_energy(stress.stiffness);
+    energy.bending = stress.stiffness * first_bending;
+    energy.repulsion.reach = 0;
+    relax(minimiser, energy, stress.steps, {-1, 0});
   }
+}
+
+bool Packer::relieve(Chains& chains) {
+  if (!has_rest_law()) return false;
+  const std::vector<Vec3> untangled = chains.position;
+  stage_ = "relieve";
+  Minimiser minimiser(chains, target_);
+  if (move_overloaded(chains, minimiser) && come_to_rest(minimiser, mean_radius(chains))) return true;
+  chains.position = untangled;
+  return false;
+}
+
+bool Packer::move_overloaded(Chains& chains, Minimiser& minimiser) {
+  PackingEnergy energy = law_energy(relief_stress);
+  energy.orientation *= relief_hold;
+  Relief relief(chains, minimiser, request_.seed);
+  relax(minimiser, energy, first_relief_steps, {-1, 0});
+  const double most = most_moved * static_cast<double>(chains.rod_length.size());
+  bool calm = false;
+  for (int round = 0; round < relief_rounds; ++round) {
+    const std::size_t found = relief.find(relief_overlap);
+    if (found == 0 && calm) return true;
+    if (static_cast<double>(found) > most) return false;
+    calm = found == 0;
+    if (calm) {  // it may not have come to rest yet: look twice
+      relax(minimiser, energy, calm_steps, {-1, 0});
+      continue;
+    }
+    relief.move();
+    relief.alter({insertion_stress[0].stiffness / relief_stress, insertion_swelling, insertion_firmness});
+    relax(minimiser, energy, insertion_steps, {-1, 0});
+    for (const Stress& stress : insertion_stress) {
+      relief.alter({stress.stiffness / relief_stress, 1, 1});
+      relax(minimiser, energy, stress.steps, {-1, 0});
+    }
+  }
+  return false;
+}
+
+bool Packer::come_to_rest(Minimiser& minimiser, double mean_radius) {
+  PackingEnergy energy = law_energy(1);
+  energy.orientation *= relief_hold;
+  energy.repulsion.decay = 2 * request_.rest.decay;
+  relax(minimiser, energy, first_rest_steps, {-1, 0});
+  energy.repulsion.hardness = core_hardness;
+  energy.repulsion.core = 1 - core_share * request_.overlap_tolerance;
+  energy.barrier_radius =
+      std::max(rest_barrier_margin * request_.minimum_radius / unit_, rest_barrier_share * mean_radius);
+  bool met = false;
+  for (int round = 0; round < rest_rounds && !met; ++round) {
+    met = relax(minimiser, energy, barrier_steps, goal());
+    if (last_.largest_bend > goal().bend) energy.barrier_radius /= barrier_decay;
+    if (last_.largest_overlap >= goal().overlap)
+      energy.repulsion.core += (1 - core_share) * request_.overlap_tolerance;
+  }
+  minimiser.finish();
+  last_ = minimiser.measure();
+  return is_met(goal());
 }
 
 bool Packer::part_straight() {
@@ -242,18 +322,35 @@ void Packer::ease(Minimiser& minimiser, PackingEnergy energy) {
   }
 }
 
-void Packer::rest(Chains& chains) {
+bool Packer::has_rest_law() const {
+  return request_.rest.force_constant > 0 && request_.rest.ramp > 0;
+}
+
+PackingEnergy Packer::law_energy(double stress) const {
+  PackingEnergy energy = plain_energy();
+  energy.repulsion.reach = 0.5 * soft_ramp;
+  energy.repulsion.saturation = soft_ramp;
+  energy.repulsion.decay = soft_decay;
+  energy.bending = stress * first_bending;
+  if (!has_rest_law()) return energy;
   double stiffest = 0;
   for (const FiberMaterial& material : request_.materials)
     stiffest = std::max(stiffest, material.bending_stiffness());
   const RestLaw& law = request_.rest;
-  if (!(law.force_constant > 0) || !(law.ramp > 0)) return;
-  const double stiffness = law.force_constant * unit_ * std::exp(-law.decay * (law.cutoff - 2)) / law.ramp;
-  PackingEnergy energy = plain_energy();
-  energy.bending = stiffest / (stiffness * std::pow(unit_, 3));
+  const double strength = law.force_constant * unit_ * std::exp(-law.decay * (law.cutoff - 2));
+  energy.bending = stress * stiffest * soft_ramp / (strength * unit_ * unit_);
   energy.repulsion.swelling = law.cutoff / 2;
-  energy.repulsion.reach = 0.5 * law.ramp / unit_;
-  energy.repulsion.saturation = law.ramp / unit_;
+  return energy;
+}
+
+void Packer::rest(Chains& chains) {
+  if (!has_rest_law()) return;
+  const RestLaw& law = request_.rest;
+  PackingEnergy energy = law_energy(1);
+  const double ramp = law.ramp / unit_;
+  energy.bending *= ramp / soft_ramp;
+  energy.repulsion.reach = 0.5 * ramp;
+  energy.repulsion.saturation = ramp;
   energy.repulsion.decay = 2 * law.decay;
   stage_ = "rest";
   Minimiser minimiser(chains, target_);

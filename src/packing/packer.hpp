@@ -1,4 +1,5 @@
-// Runs the stages of packing: spread, untangle, bundle or compress, part or bend, settle, ease, rest.
+// Runs the stages of packing: spread, untangle, relieve, bundle or compress, part or bend, settle, ease,
+// rest.
 #pragma once
 
 #include <functional>
@@ -38,7 +39,16 @@ class Packer {
   [[nodiscard]] Chains bundle_up();
   [[nodiscard]] Chains compress();
   void spread(Chains& chains);
+  /// True where the request has a contact law to be at rest under.
+  [[nodiscard]] bool has_rest_law() const;
+  /// The energy of the fibers under the contact law, stiffer by `stress` than they are.
+  [[nodiscard]] PackingEnergy law_energy(double stress) const;
   void untangle(Chains& chains);
+  /// Moves fibers that press on others harder than contacts bear; tells whether a packing came of it that
+  /// meets the goal and is nearly at rest under the contact law, else leaves the chains as they were.
+  bool relieve(Chains& chains);
+  bool move_overloaded(Chains& chains, Minimiser& minimiser);
+  bool come_to_rest(Minimiser& minimiser, double mean_radius);
   void bend(Chains& chains);
   void ease(Minimiser& minimiser, PackingEnergy energy);
   [[nodiscard]] Goal goal() const;

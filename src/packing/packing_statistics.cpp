@@ -33,6 +33,8 @@ Chains chains_of(const FiberState& state, double unit) {
       longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
     chains.rod_length.push_back(longest / unit);
     chains.radius.push_back(state.material(f).radius / unit);
+    chains.swelling.push_back(1);
+    chains.firmness.push_back(1);
   }
   return chains;
 }

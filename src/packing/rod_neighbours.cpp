@@ -80,7 +80,8 @@ void RodNeighbours::refresh(const Chains& chains, std::size_t fiber) {
       record.centre[i] = centre[i];
       record.half[i] = half[i];
     }
-    record.radius = chains.radius[fiber];
+    record.radius = chains.swelling[fiber] * chains.radius[fiber];
+    record.firmness = chains.firmness[fiber];
   }
 }
 
@@ -97,7 +98,7 @@ void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, c
       x_[at] = records_[at].centre[0];
       y_[at] = records_[at].centre[1];
       z_[at] = records_[at].centre[2];
-      reach_[at] = 0.5 * chains.rod_length[fiber] + range.swelling * chains.radius[fiber];
+      reach_[at] = 0.5 * chains.rod_length[fiber] + range.swelling * records_[at].radius;
     }
   });
   const int most = grid.farthest_image();

@@ -10,7 +10,7 @@ struct alignas(64) RodRecord {
   double centre[3] = {0, 0, 0};
   double half[3] = {0, 0, 0};  ///< from the centre to the end
   double radius = 0;
-  double unused = 0;
+  double firmness = 1;  ///< F0 of a pair is multiplied by the smaller one of its rods
 };
 
 /// Displacement of one image of the cell, laid out like a record so that record + shift is the image's
@@ -20,15 +20,17 @@ struct alignas(64) ImageShift {
   double unused[5] = {0, 0, 0, 0, 0};
 };
 
-/// Holds the law F = min(k g, F0 (1 + x + x²/2)), g = swelling r + reach − d > 0, x = decay (1 − d/r)₊, where
-/// d is the distance of the axes and r the sum of the two radii; lengths in units of packing (see
-/// chains.hpp).
+/// Holds the law F = min(k g, F0 (1 + x + x²/2)) + h (core r − d)₊, g = swelling r + reach − d > 0, x = decay
+/// (1 − d/r)₊, where d is the distance of the axes and r the sum of the two radii; lengths in units of
+/// packing (see chains.hpp).
 struct RepulsionLaw {
   double swelling = 1;      ///< contact at this many times the sum of the radii
   double reach = 0;         ///< added to the contact distance
   double stiffness = 1;     ///< k
   double saturation = 1e9;  ///< F0: beyond it the force rises only slowly
   double decay = 0;         ///< of the rise beyond saturation, per sum of radii
+  double hardness = 0;      ///< h, of the core
+  double core = 1;          ///< of that many times the sum of the radii
 };
 
 /// Holds the load on the two ends of a rod.

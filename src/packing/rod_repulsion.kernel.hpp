@@ -33,13 +33,14 @@ FIBERFATE_INLINE Pack dot(const Column& a, const Column& b) {
 /// Eight rods side by side.
 struct Rods {
   Column centre, half;
-  Pack radius;
+  Pack radius, firmness;
 };
 
 FIBERFATE_INLINE Rods spread(const RodRecord& rod) {
   return {{broadcast(rod.centre[0]), broadcast(rod.centre[1]), broadcast(rod.centre[2])},
           {broadcast(rod.half[0]), broadcast(rod.half[1]), broadcast(rod.half[2])},
-          broadcast(rod.radius)};
+          broadcast(rod.radius),
+          broadcast(rod.firmness)};
 }
 
 /// Loads eight records, moves each by its image and transposes them.
@@ -66,7 +67,8 @@ FIBERFATE_INLINE Rods load_rods(const RepulsionInput& in, int at) {
   const Pack c4 = __builtin_shufflevector(quad[0], quad[4], 4, 5, 6, 7, 12, 13, 14, 15);
   const Pack c5 = __builtin_shufflevector(quad[1], quad[5], 4, 5, 6, 7, 12, 13, 14, 15);
   const Pack c6 = __builtin_shufflevector(quad[2], quad[6], 4, 5, 6, 7, 12, 13, 14, 15);
-  return {{c0, c1, c2}, {c3, c4, c5}, c6};
+  const Pack c7 = __builtin_shufflevector(quad[3], quad[7], 4, 5, 6, 7, 12, 13, 14, 15);
+  return {{c0, c1, c2}, {c3, c4, c5}, c6, c7};
 }
 
 /// Closest points x = centre + s half, s in [-1, 1], of two rods (see fibers/closest_points.hpp).
@@ -122,7 +124,9 @@ FIBERFATE_INLINE RepulsionLoad repel(const RepulsionInput& in, const RepulsionLa
     const Pack gap = larger(law.swelling * touching + law.reach - n.distance, zero);
     const Pack relative = 1.0 - n.distance / touching;
     const Pack x = law.decay * larger(relative, zero);
-    const Pack force = smaller(law.stiffness * gap, law.saturation * (1.0 + x + 0.5 * x * x));
+    const Pack bearable = law.saturation * smaller(subject.firmness, other.firmness);
+    const Pack force = smaller(law.stiffness * gap, bearable * (1.0 + x + 0.5 * x * x)) +
+                       law.hardness * larger(law.core * touching - n.distance, zero);
     const Column push = (force / n.distance) * n.separation;
     const Pack weight = 0.5 + 0.5 * n.s;
     on_end = on_end + weight * push;

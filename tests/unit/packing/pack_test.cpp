@@ -231,8 +231,10 @@ TEST(Pack, SaysWhatWasReachedWhenItGivesUp) {
     (void)pack(request);
     FAIL() << "packed";
   } catch (const SimulationFailure& failure) {
-    EXPECT_NE(std::string(failure.what()).find("no packing was found in 900 steps: overlap 0."),
+    EXPECT_NE(std::string(failure.what()).find("no packing was found in 900 steps: overlap 0"),
               std::string::npos)
+        << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("at a smallest radius of 0.00"), std::string::npos)
         << failure.what();
   }
 }

@@ -28,6 +28,8 @@ inline Chains random_chains(const Cell& cell, int fibers, int rods, double rod_l
     chains.first_node.push_back(static_cast<Index>(chains.position.size()));
     chains.rod_length.push_back(rod_length);
     chains.radius.push_back(f % 2 == 0 ? 0.5 : 0.3);
+    chains.swelling.push_back(1);
+    chains.firmness.push_back(1);
     chains.bending_stiffness.push_back(0.05);
   }
   chains.velocity.assign(chains.position.size(), Vec3::Zero());

@@ -190,6 +190,8 @@ TEST(RodRepulsion, SaturatesAsTheContactLaw) {
     chains.first_node.push_back(static_cast<Index>(chains.position.size()));
     chains.rod_length.push_back(4);
     chains.radius.push_back(0.5);
+    chains.swelling.push_back(1);
+    chains.firmness.push_back(1);
     chains.bending_stiffness.push_back(0);
   }
   RodNeighbours neighbours;
@@ -205,6 +207,14 @@ TEST(RodRepulsion, SaturatesAsTheContactLaw) {
   EXPECT_NEAR(-(loads[0].on_begin[2] + loads[0].on_end[2]), 0.05 * (1 + x + 0.5 * x * x), 1e-12);
   // Parallel rods touch in the middle of their overlap: no couple.
   EXPECT_NEAR(loads[0].on_begin[2], loads[0].on_end[2], 1e-12);
+  // The softer rod limits what a pair bears; the core comes on top.
+  chains.firmness[1] = 0.2;
+  law.hardness = 2;
+  law.core = 0.9;
+  neighbours.build(chains, {1, 0.1, 0});
+  (void)energy(chains, law, loads, neighbours);
+  EXPECT_NEAR(-(loads[0].on_begin[2] + loads[0].on_end[2]), 0.01 * (1 + x + 0.5 * x * x) + 2 * (0.9 - gap),
+              1e-12);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+// Tells how much room there is for the axis of one more fiber.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "packing/chains.hpp"
+
+namespace fiberfate {
+
+/// Names a straight line.
+struct StraightAxis {
+  Vec3 centre = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX();  ///< unit vector
+  double length = 0;
+};
+
+/// Divides the cell into small boxes and marks those that fibers fill: whose centres are nearer to an axis
+/// than contact with a fiber of the thickest diameter.
+class Vacancies {
+ public:
+  explicit Vacancies(const Cell& cell);
+  /// Marks what this fiber fills.
+  void fill(const Chains& chains, std::size_t fiber);
+  /// Share of a line that lies in filled boxes or beyond walls.
+  [[nodiscard]] double filled_share(const StraightAxis& line) const;
+
+ private:
+  using Box = std::array<std::ptrdiff_t, 3>;
+  [[nodiscard]] Box box_at(const Vec3& point) const;
+  /// Boxes whose centres are nearer than this to that of the box {0, 0, 0}.
+  [[nodiscard]] std::vector<Box> boxes_around(double distance) const;
+  /// Number of a box, or of its image in the cell; −1 beyond walls.
+  [[nodiscard]] std::ptrdiff_t number(const Box& box) const;
+
+  Cell cell_;
+  Mat3 boxes_of_point_;  ///< gives fractional numbers of boxes
+  std::array<std::ptrdiff_t, 3> count_{};
+  std::vector<std::uint8_t> filled_;
+};
+
+}  // namespace fiberfate
