@@ -12,7 +12,6 @@
 namespace fiberfate {
 namespace {
 
-constexpr int rods_a_fiber = 25;
 constexpr int fibers_a_tile = 400;
 
 DynamicsParameters parameters() {
