@@ -8,6 +8,16 @@
 
 namespace fiberfate {
 
+/// Ends a fiber whose nodes stand at the end of the positions already.
+inline void end_fiber(Chains& chains, double rod_length, double radius, double bending_stiffness) {
+  chains.first_node.push_back(static_cast<Index>(chains.position.size()));
+  chains.rod_length.push_back(rod_length);
+  chains.radius.push_back(radius);
+  chains.swelling.push_back(1);
+  chains.firmness.push_back(1);
+  chains.bending_stiffness.push_back(bending_stiffness);
+}
+
 /// Random walks of equal rods with centres anywhere in the cell.
 inline Chains random_chains(const Cell& cell, int fibers, int rods, double rod_length) {
   Chains chains;
@@ -25,12 +35,7 @@ inline Chains random_chains(const Cell& cell, int fibers, int rods, double rod_l
       node += rod_length * direction;
       chains.position.push_back(node);
     }
-    chains.first_node.push_back(static_cast<Index>(chains.position.size()));
-    chains.rod_length.push_back(rod_length);
-    chains.radius.push_back(f % 2 == 0 ? 0.5 : 0.3);
-    chains.swelling.push_back(1);
-    chains.firmness.push_back(1);
-    chains.bending_stiffness.push_back(0.05);
+    end_fiber(chains, rod_length, f % 2 == 0 ? 0.5 : 0.3, 0.05);
   }
   chains.velocity.assign(chains.position.size(), Vec3::Zero());
   chains.force.assign(chains.position.size(), Vec3::Zero());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "packing/vacancies.hpp"
+#include "unit/packing/random_chains.hpp"
 
 namespace fiberfate {
 namespace {
@@ -14,12 +15,7 @@ Chains parallel_chains(const std::vector<std::pair<double, double>>& places) {
   chains.cell = rectangular_cell(Vec3::Constant(20));
   for (const auto& [y, z] : places) {
     for (int k = 0; k <= 4; ++k) chains.position.emplace_back(2 + 4 * k, y, z);
-    chains.first_node.push_back(static_cast<Index>(chains.position.size()));
-    chains.rod_length.push_back(4);
-    chains.radius.push_back(0.5);
-    chains.swelling.push_back(1);
-    chains.firmness.push_back(1);
-    chains.bending_stiffness.push_back(0.05);
+    end_fiber(chains, 4, 0.5, 0.05);
   }
   return chains;
 }

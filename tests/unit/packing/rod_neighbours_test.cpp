@@ -186,13 +186,8 @@ TEST(RodRepulsion, SaturatesAsTheContactLaw) {
   const double gap = 0.8;
   for (const double height : {0.0, gap}) {
     chains.position.push_back({18, 20, 20 + height});
-    chains.position.push_back({22, height > 0 ? 20.0 : 20.0, 20 + height});
-    chains.first_node.push_back(static_cast<Index>(chains.position.size()));
-    chains.rod_length.push_back(4);
-    chains.radius.push_back(0.5);
-    chains.swelling.push_back(1);
-    chains.firmness.push_back(1);
-    chains.bending_stiffness.push_back(0);
+    chains.position.push_back({22, 20, 20 + height});
+    end_fiber(chains, 4, 0.5, 0);
   }
   RodNeighbours neighbours;
   neighbours.build(chains, {1, 0.1, 0});
