@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/studies/time_rows.hpp"
 #include "continuum/length_registry.hpp"
 #include "microstructure/length_distribution.hpp"
 
@@ -44,15 +45,7 @@ void validate_flow(const AttritionFlowChoices& flow, CaseChecker& checker) {
   }
   require("flow.table", "add rows [time, rate, temperature, pressure] under [flow]");
   checker.warn_unused({"flow.temperature", "flow.pressure"}, "flow.kind = \"constant\" or \"couette\"");
-  for (std::size_t i = 0; i < flow.table.size(); ++i) {
-    if (i == 0 ? flow.table[0][0] == 0 : flow.table[i][0] > flow.table[i - 1][0]) continue;
-    checker.error_in_row("flow.table", i,
-                         i == 0
-                             ? std::string("the first row is not at time 0")
-                             : fmt::format("the time of row {} is not later than that of row {}", i + 1, i),
-                         "begin with a row at 0 s and sort the rows by time");
-    break;
-  }
+  check_times_of_rows("flow.table", flow.table, checker);
 }
 
 void validate_fibers(const AttritionCase& values, CaseChecker& checker) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/studies/time_rows.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "microstructure/closure.hpp"
@@ -67,18 +68,6 @@ Mat3 constant_gradient(const OrientationFlowChoices& flow) {
   }
 }
 
-void validate_table(const OrientationFlowChoices& flow, CaseChecker& checker) {
-  for (std::size_t i = 0; i < flow.table.size(); ++i) {
-    if (i == 0 ? flow.table[0][0] == 0 : flow.table[i][0] > flow.table[i - 1][0]) continue;
-    checker.error_in_row("flow.table", i,
-                         i == 0
-                             ? std::string("the first row is not at time 0")
-                             : fmt::format("the time of row {} is not later than that of row {}", i + 1, i),
-                         "begin with a row at 0 s and sort the rows by time");
-    return;
-  }
-}
-
 void validate_flow(const OrientationFlowChoices& flow, CaseChecker& checker) {
   const auto require = [&checker](const std::string& key, const std::string& remedy) {
     if (!checker.is_given(key)) checker.error(key, "not given; this kind of flow needs it", remedy);
@@ -101,7 +90,7 @@ void validate_flow(const OrientationFlowChoices& flow, CaseChecker& checker) {
   }
   if (flow.kind == OrientationFlow::table) {
     require("flow.table", "add rows of time and nine numbers under [flow]");
-    validate_table(flow, checker);
+    check_times_of_rows("flow.table", flow.table, checker);
   } else {
     checker.warn_unused({"flow.table", "flow.form"}, "flow.kind = \"table\"");
   }
