@@ -16,6 +16,10 @@
 namespace fiberfate {
 namespace {
 
+// Most that the mean length may leave that of the law so that the total comes out: realised means keep within
+// 0.5 %.
+constexpr double most_adjustment = 0.005;
+
 // Rows of random counters, so that the uses of the length stream stay independent.
 enum Draw : std::uint32_t { place_draw = 0, deal_draw = 1 };
 
@@ -87,37 +91,87 @@ std::vector<std::size_t> bin_counts(const std::vector<double>& shares, std::size
   return counts;
 }
 
-std::vector<double> sample(const LengthHistogram& histogram, std::size_t count, std::uint64_t /*seed*/) {
-  const std::vector<std::size_t> counts = bin_counts(number_shares(histogram), count);
-  std::vector<double> lengths;
-  lengths.reserve(count);
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const double width = histogram.edges[i + 1] - histogram.edges[i];
-    for (std::size_t k = 0; k < counts[i]; ++k)
-      lengths.push_back(histogram.edges[i] +
-                        width * (static_cast<double>(k) + 0.5) / static_cast<double>(counts[i]));
-  }
-  return lengths;
-}
+/// Says how many lengths are drawn and what their mean shall be.
+struct Draft {
+  std::size_t count;
+  double mean;  ///< m
+  std::uint64_t seed;
+};
 
-std::vector<double> sample(const SingleLength& single, std::size_t count, std::uint64_t /*seed*/) {
-  return std::vector<double>(count, single.length);
-}
-
-std::vector<double> sample(const ListedLengths& list, std::size_t count, std::uint64_t /*seed*/) {
-  std::vector<double> lengths(count);
-  for (std::size_t i = 0; i < count; ++i) lengths[i] = list.lengths[i % list.lengths.size()];
-  return lengths;
+/// Middle of one of `count` equal strata of the unit interval.
+double stratum(std::size_t i, std::size_t count) {
+  return (static_cast<double>(i) + 0.5) / static_cast<double>(count);
 }
 
 /// Solves f(x) = 0 for a rising f with f(low) <= 0 <= f(high).
 double bisect(const std::function<double(double)>& rising, double low, double high) {
-  constexpr int halvings = 200;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (low + high);
+  double middle = 0.5 * (low + high);
+  for (; middle != low && middle != high; middle = 0.5 * (low + high))
     (rising(middle) > 0 ? high : low) = middle;
+  return middle;
+}
+
+/// Lengths of a histogram whose bins hold `counts` fibers, each bin evenly spread but for u^`tilt` on its way
+/// from edge to edge.
+std::vector<double> fill_bins(const LengthHistogram& histogram, const std::vector<std::size_t>& counts,
+                              double tilt) {
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double width = histogram.edges[i + 1] - histogram.edges[i];
+    for (std::size_t k = 0; k < counts[i]; ++k)
+      lengths.push_back(histogram.edges[i] + width * std::pow(stratum(k, counts[i]), tilt));
   }
-  return 0.5 * (low + high);
+  return lengths;
+}
+
+// The bins keep their counts; the mean is met by moving fibers inside them, up to twice as many above the
+// middle as below.
+std::vector<double> sample(const LengthHistogram& histogram, const Draft& draft) {
+  const std::vector<std::size_t> counts = bin_counts(number_shares(histogram), draft.count);
+  const double tilt = bisect(
+      [&](double exponent) { return draft.mean - mean(fill_bins(histogram, counts, exponent)); }, 0.5, 2);
+  return fill_bins(histogram, counts, tilt);
+}
+
+std::vector<double> sample(const SingleLength& single, const Draft& draft) {
+  return std::vector<double>(draft.count, single.length);
+}
+
+/// Takes `count` of sorted lengths, evenly picked but for u^`tilt` on the way from the shortest to the
+/// longest.
+std::vector<double> pick(const std::vector<double>& sorted, std::size_t count, double tilt) {
+  std::vector<double> picked(count);
+  const auto size = static_cast<double>(sorted.size());
+  for (std::size_t i = 0; i < count; ++i)
+    picked[i] = sorted[std::min(sorted.size() - 1,
+                                static_cast<std::size_t>(size * std::pow(stratum(i, count), tilt)))];
+  return picked;
+}
+
+/// Picks lengths whose mean comes nearest to the one that is wanted; untilted where that is as near.
+std::vector<double> pick_nearest(const std::vector<double>& sorted, std::size_t count, double wanted) {
+  const auto miss = [&](double tilt) { return wanted - mean(pick(sorted, count, tilt)); };
+  const double crossing = bisect(miss, 0.5, 2);
+  double best = 1;
+  constexpr double aside = 1e-9;  // the mean is a staircase: either side of its step
+  for (const double tilt : {crossing * (1 - aside), crossing * (1 + aside)})
+    if (std::abs(miss(tilt)) < std::abs(miss(best))) best = tilt;
+  return pick(sorted, count, best);
+}
+
+// Every length as often as the others; what is left over is picked among all.
+std::vector<double> sample(const ListedLengths& list, const Draft& draft) {
+  std::vector<double> sorted(list.lengths), lengths;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t rounds = draft.count / sorted.size(), rest = draft.count % sorted.size();
+  for (std::size_t round = 0; round < rounds; ++round)
+    lengths.insert(lengths.end(), sorted.begin(), sorted.end());
+  if (rest == 0) return lengths;
+  const double left =
+      static_cast<double>(draft.count) * draft.mean - static_cast<double>(lengths.size()) * mean(sorted);
+  const std::vector<double> picked = pick_nearest(sorted, rest, left / static_cast<double>(rest));
+  lengths.insert(lengths.end(), picked.begin(), picked.end());
+  return lengths;
 }
 
 /// Takes q^α times the scale that gives mean L_N, with α such that the realised L_W is right. Weibull and
@@ -134,18 +188,19 @@ std::vector<double> fit_power(const std::vector<double>& quantiles, double numbe
   return powered(bisect([&](double exponent) { return weight_mean(powered(exponent)) - weight; }, 0, widest));
 }
 
-/// Quantiles of one uniform draw in each of `count` equal strata.
+/// Quantiles of one uniform draw in each of as many equal strata as there are lengths.
 template <class Quantile>
-std::vector<double> stratified(std::size_t count, std::uint64_t seed, const Quantile& quantile) {
-  std::vector<double> values(count);
-  for (std::size_t i = 0; i < count; ++i)
-    values[i] = quantile((static_cast<double>(i) + draw(seed, i, place_draw)) / static_cast<double>(count));
+std::vector<double> stratified(const Draft& draft, const Quantile& quantile) {
+  std::vector<double> values(draft.count);
+  for (std::size_t i = 0; i < draft.count; ++i)
+    values[i] = quantile((static_cast<double>(i) + draw(draft.seed, i, place_draw)) /
+                         static_cast<double>(draft.count));
   return values;
 }
 
-std::vector<double> sample(const WeibullLengths& law, std::size_t count, std::uint64_t seed) {
-  const auto quantiles = stratified(count, seed, [](double u) { return -std::log1p(-u); });
-  return fit_power(quantiles, law.number_average, law.weight_average);
+std::vector<double> sample(const WeibullLengths& law, const Draft& draft) {
+  const auto quantiles = stratified(draft, [](double u) { return -std::log1p(-u); });
+  return fit_power(quantiles, draft.mean, law.weight_average * draft.mean / law.number_average);
 }
 
 /// Quantile of the standard normal distribution, by bisection of erfc: fast enough for what is done once.
@@ -153,9 +208,9 @@ double normal_quantile(double probability) {
   return bisect([&](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)) - probability; }, -10, 10);
 }
 
-std::vector<double> sample(const LogNormalLengths& law, std::size_t count, std::uint64_t seed) {
-  const auto quantiles = stratified(count, seed, [](double u) { return std::exp(normal_quantile(u)); });
-  return fit_power(quantiles, law.number_average, law.weight_average);
+std::vector<double> sample(const LogNormalLengths& law, const Draft& draft) {
+  const auto quantiles = stratified(draft, [](double u) { return std::exp(normal_quantile(u)); });
+  return fit_power(quantiles, draft.mean, law.weight_average * draft.mean / law.number_average);
 }
 
 void check(const SingleLength& single) {
@@ -235,11 +290,16 @@ double weight_average(const LengthLaw& law) {
   return std::visit([](const auto& kind) { return means(kind).weight; }, law);
 }
 
-std::vector<double> sample_lengths(const LengthLaw& law, std::size_t count, std::uint64_t seed) {
+std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& request) {
   require_admissible(law);
-  if (count == 0) return {};
-  std::vector<double> lengths = std::visit([&](const auto& kind) { return sample(kind, count, seed); }, law);
-  deal(lengths, seed);
+  if (request.count == 0) return {};
+  const double expected = number_average(law), fibers = static_cast<double>(request.count);
+  const double wanted = request.total ? *request.total / fibers : expected;
+  const Draft draft{request.count,
+                    std::clamp(wanted, expected * (1 - most_adjustment), expected * (1 + most_adjustment)),
+                    request.seed};
+  std::vector<double> lengths = std::visit([&](const auto& kind) { return sample(kind, draft); }, law);
+  deal(lengths, request.seed);
   return lengths;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct LengthHistogram {
   HistogramHeight height = HistogramHeight::fibers;
 };
 
-/// Fibers have these lengths, repeated in turn when there are more fibers than entries.
+/// Fibers have these lengths, each equally often; fewer fibers than entries have evenly picked ones.
 struct ListedLengths {
   std::vector<double> lengths;  ///< m
 };
@@ -56,10 +57,19 @@ void require_admissible(const LengthLaw& law);
 /// Mean length by weight L_W of the law, m.
 [[nodiscard]] double weight_average(const LengthLaw& law);
 
-/// Draws `count` lengths (m), dealt at random. They are stratified: every fiber stands for an equal share of
-/// the law, so that the realised L_N and L_W are those of the law (to round-off for Weibull and log-normal of
-/// two fibers and more; a histogram's bins hold their shares to one fiber).
-[[nodiscard]] std::vector<double> sample_lengths(const LengthLaw& law, std::size_t count, std::uint64_t seed);
+/// Says how many lengths are drawn, and what they come to.
+struct LengthRequest {
+  std::size_t count = 0;
+  std::uint64_t seed = 1;
+  std::optional<double> total = {};  ///< sum of the lengths, m; not given: count times the mean of the law
+};
+
+/// Draws lengths (m), dealt at random. They are stratified: every fiber stands for an equal share of the law.
+/// Weibull and log-normal laws of two fibers and more have the law's L_W / L_N and the total to round-off; a
+/// histogram's bins hold their shares to one fiber, and inside them fibers move until the total is right; a
+/// list's lengths are used equally often and the rest is picked such that the total comes nearest; a single
+/// length is kept as it is. For the sake of a total L_N is changed by 0.5 % at most.
+[[nodiscard]] std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& request);
 
 /// Number of equal rods in which a fiber of this length is cut so that they are nearest to the target; at
 /// least one.

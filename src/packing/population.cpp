@@ -114,16 +114,25 @@ std::vector<std::int64_t> share_out(std::int64_t count, const std::vector<FiberS
   return counts;
 }
 
-std::vector<std::int64_t> counts_of(const std::vector<FiberSpecies>& species,
-                                    const ConcentrationRequest& request) {
-  if (request.count) return share_out(*request.count, species);
+/// Works out for each kind how many fibers there are, and what a given cell needs their lengths to sum up to.
+std::vector<LengthRequest> lengths_of(const std::vector<FiberSpecies>& species,
+                                      const ConcentrationRequest& request, std::uint64_t seed) {
+  std::vector<LengthRequest> lengths;
+  if (request.count) {
+    for (const std::int64_t count : share_out(*request.count, species))
+      lengths.push_back({static_cast<std::size_t>(count), seed++});
+    return lengths;
+  }
   const double volume = requested_fraction(species, request) * request.cell_size->prod();
-  std::vector<std::int64_t> counts;
-  for (const FiberSpecies& one : species)
-    counts.push_back(count_in(volume * one.volume_share / total_share(species), one));
-  if (std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) == 0)
+  std::size_t fibers = 0;
+  for (const FiberSpecies& one : species) {
+    const double own = volume * one.volume_share / total_share(species);
+    lengths.push_back({static_cast<std::size_t>(count_in(own, one)), seed++, own / section(one)});
+    fibers += lengths.back().count;
+  }
+  if (fibers == 0)
     throw InputError("the cell would hold no fiber", "make the cell larger or the fraction higher");
-  return counts;
+  return lengths;
 }
 
 }  // namespace
@@ -149,14 +158,13 @@ Population plan_population(const std::vector<FiberSpecies>& species, const Conce
   require_species(species);
   require_two(request);
   if (request.cell_size) require_room(*request.cell_size, species);
-  const std::vector<std::int64_t> counts = counts_of(species, request);
+  const std::vector<LengthRequest> lengths = lengths_of(species, request, seed);
 
   Population population;
   double volume = 0;
   for (std::size_t s = 0; s < species.size(); ++s) {
     population.materials.push_back(species[s].material);
-    for (const double length :
-         sample_lengths(species[s].length, static_cast<std::size_t>(counts[s]), seed + s)) {
+    for (const double length : sample_lengths(species[s].length, lengths[s])) {
       population.fibers.push_back(
           {length, rods_for(length, species[s].rod_length), static_cast<std::uint16_t>(s)});
       volume += section(species[s]) * length;

@@ -147,7 +147,7 @@ LengthStart length_start(const AttritionFiberChoices& fibers) {
   } else if (fibers.number_average) {
     start.means = MeanLengths{*fibers.number_average, *fibers.weight_average};
     start.initial.lengths =
-        sample_lengths(WeibullLengths{*fibers.number_average, *fibers.weight_average}, weibull_classes, 1);
+        sample_lengths(WeibullLengths{*fibers.number_average, *fibers.weight_average}, {weibull_classes});
     start.initial.numbers.assign(weibull_classes, 1.0);
   }
   for (const std::vector<double>& row : fibers.distribution) {

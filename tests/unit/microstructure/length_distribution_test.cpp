@@ -36,7 +36,7 @@ TEST(LengthDistribution, FittedLawsHaveTheirMeans) {
   for (const LengthLaw& law :
        {LengthLaw(WeibullLengths{number, weight}), LengthLaw(LogNormalLengths{number, weight})}) {
     for (const std::size_t count : {20u, 1000u, 20000u}) {
-      const auto lengths = sample_lengths(law, count, 4);
+      const auto lengths = sample_lengths(law, {count, 4});
       ASSERT_EQ(lengths.size(), count);
       EXPECT_NEAR(number_mean(lengths) / number, 1, 1e-9);
       EXPECT_NEAR(weight_mean(lengths) / weight, 1, 1e-9);
@@ -48,10 +48,10 @@ TEST(LengthDistribution, FittedLawsHaveTheirMeans) {
 // The median of a log-normal law is L_N sqrt(L_N / L_W); that of a Weibull law λ (ln 2)^(1/k), here
 // exponential (k = 1, where L_W = 2 L_N): L_N ln 2.
 TEST(LengthDistribution, FittedLawsHaveTheirMedians) {
-  auto lengths = sample_lengths(LogNormalLengths{1e-3, 2e-3}, 20001, 1);
+  auto lengths = sample_lengths(LogNormalLengths{1e-3, 2e-3}, {20001, 1});
   std::nth_element(lengths.begin(), lengths.begin() + 10000, lengths.end());
   EXPECT_NEAR(lengths[10000] / 1e-3, std::sqrt(0.5), 0.005);
-  lengths = sample_lengths(WeibullLengths{1e-3, 2e-3}, 20001, 1);
+  lengths = sample_lengths(WeibullLengths{1e-3, 2e-3}, {20001, 1});
   std::nth_element(lengths.begin(), lengths.begin() + 10000, lengths.end());
   EXPECT_NEAR(lengths[10000] / 1e-3, std::log(2.0), 0.005);
 }
@@ -59,7 +59,7 @@ TEST(LengthDistribution, FittedLawsHaveTheirMedians) {
 TEST(LengthDistribution, FillsAHistogramToOneFiberABin) {
   const LengthHistogram histogram = {{0, 1e-3, 2e-3, 4e-3, 8e-3}, {1, 5, 3, 0.4}, HistogramHeight::fibers};
   const std::size_t count = 997;
-  const auto lengths = sample_lengths(histogram, count, 2);
+  const auto lengths = sample_lengths(histogram, {count, 2});
   double chi_square = 0;
   for (std::size_t i = 0; i + 1 < histogram.edges.size(); ++i) {
     const auto inside = std::count_if(lengths.begin(), lengths.end(), [&](double length) {
@@ -78,7 +78,7 @@ TEST(LengthDistribution, FillsAHistogramToOneFiberABin) {
 TEST(LengthDistribution, HistogramOfLengthGivesEachBinItsShareOfTheLength) {
   const LengthHistogram histogram = {
       {0.9e-3, 1.1e-3, 1.9e-3, 2.1e-3}, {0.5, 0.0, 0.5}, HistogramHeight::length};
-  const auto lengths = sample_lengths(histogram, 3000, 2);
+  const auto lengths = sample_lengths(histogram, {3000, 2});
   double in_short = 0, total = 0;
   for (const double length : lengths) {
     total += length;
@@ -88,11 +88,59 @@ TEST(LengthDistribution, HistogramOfLengthGivesEachBinItsShareOfTheLength) {
 }
 
 TEST(LengthDistribution, DealsSingleAndListedLengths) {
-  EXPECT_EQ(sample_lengths(SingleLength{2.5e-3}, 3, 1), std::vector<double>(3, 2.5e-3));
-  auto lengths = sample_lengths(ListedLengths{{1e-3, 2e-3}}, 4, 1);
+  EXPECT_EQ(sample_lengths(SingleLength{2.5e-3}, {3, 1}), std::vector<double>(3, 2.5e-3));
+  auto lengths = sample_lengths(ListedLengths{{1e-3, 2e-3}}, {4, 1});
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ(lengths, (std::vector<double>{1e-3, 1e-3, 2e-3, 2e-3}));
-  EXPECT_TRUE(sample_lengths(SingleLength{1}, 0, 1).empty());
+  EXPECT_TRUE(sample_lengths(SingleLength{1}, {0, 1}).empty());
+}
+
+// Every law with a continuum of lengths meets a total within 0.5 % of what it expects; bins keep their
+// counts.
+TEST(LengthDistribution, MeetsATotal) {
+  const LengthHistogram histogram = {{0, 1e-3, 2e-3, 4e-3, 8e-3}, {1, 5, 3, 0.4}, HistogramHeight::fibers};
+  const auto bins = [&](std::vector<double> lengths) {
+    std::sort(lengths.begin(), lengths.end());
+    std::vector<std::ptrdiff_t> upto;
+    for (const double edge : histogram.edges)
+      upto.push_back(std::lower_bound(lengths.begin(), lengths.end(), edge) - lengths.begin());
+    return upto;
+  };
+  for (const std::size_t count : {100u, 997u}) {
+    for (const LengthLaw& law : {LengthLaw(histogram), LengthLaw(WeibullLengths{1.1e-3, 2.3e-3}),
+                                 LengthLaw(LogNormalLengths{1.1e-3, 2.3e-3})}) {
+      const double expected = number_average(law), fibers = static_cast<double>(count);
+      const auto plain = sample_lengths(law, {count, 2});
+      EXPECT_NEAR(number_mean(plain) / expected, 1, 1e-9);
+      for (const double ratio : {0.995, 0.9973, 1.0021, 1.005}) {
+        const auto lengths = sample_lengths(law, {count, 2, ratio * expected * fibers});
+        EXPECT_NEAR(number_mean(lengths) / expected, ratio, 1e-9);
+        EXPECT_NEAR(weight_mean(lengths) / weight_mean(plain), 1, 0.0051);
+        if (law.index() == 1) {
+          EXPECT_EQ(bins(lengths), bins(plain));
+        }
+      }
+      EXPECT_NEAR(number_mean(sample_lengths(law, {count, 2, 1.2 * expected * fibers})) / expected, 1.005,
+                  1e-9);
+    }
+  }
+}
+
+// A list in order of size, as a spreadsheet gives it, of which a cell holds a part.
+TEST(LengthDistribution, PicksEvenlyFromAListThatIsLongerThanTheSample) {
+  ListedLengths list;
+  for (int i = 0; i < 5000; ++i) list.lengths.push_back(1e-3 * std::pow(0.02 + i / 5000.0, 2));
+  for (const std::size_t count : {100u, 628u, 7000u}) {
+    const auto lengths = sample_lengths(list, {count, 1});
+    ASSERT_EQ(lengths.size(), count);
+    EXPECT_NEAR(number_mean(lengths) / number_average(list), 1, 0.005);
+    EXPECT_NEAR(weight_mean(lengths) / weight_average(list), 1, 0.005);
+    for (const double length : lengths)
+      EXPECT_TRUE(std::find(list.lengths.begin(), list.lengths.end(), length) != list.lengths.end());
+    const double total = 1.003 * static_cast<double>(count) * number_average(list);
+    EXPECT_NEAR(number_mean(sample_lengths(list, {count, 1, total})) * static_cast<double>(count), total,
+                1e-6);
+  }
 }
 
 TEST(LengthDistribution, CutsIntoEqualRodsNearTheTarget) {
