@@ -213,7 +213,8 @@ std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double
   return directions;
 }
 
-std::vector<Vec3> deal_orientations(std::span<const Vec3> directions, std::size_t count, std::uint64_t seed) {
+std::vector<Vec3> deal_orientations(std::span<const Vec3> directions, std::span<const double> weights,
+                                    std::uint64_t seed) {
   if (directions.empty()) throw InputError("the list of directions is empty", "give at least one");
   std::vector<Vec3> deck(directions.begin(), directions.end());
   for (Vec3& p : deck) {
@@ -221,10 +222,12 @@ std::vector<Vec3> deal_orientations(std::span<const Vec3> directions, std::size_
       throw InputError("a direction has no length", "give vectors other than zero");
     p.normalize();
   }
+  const Mat3 measured = second_moment(deck, std::vector<double>(deck.size(), 1.0));
   shuffle(deck, seed, cluster_draw);
-  std::vector<Vec3> dealt(count);
-  for (std::size_t i = 0; i < count; ++i) dealt[i] = deck[i % deck.size()];
+  std::vector<Vec3> dealt(weights.size());
+  for (std::size_t i = 0; i < dealt.size(); ++i) dealt[i] = deck[i % deck.size()];
   shuffle(dealt, seed, deal_draw);
+  fit_second_moment(dealt, weights, measured);
   return dealt;
 }
 

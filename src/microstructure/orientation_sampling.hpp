@@ -28,10 +28,12 @@ void require_admissible(const Mat3& tensor);
 [[nodiscard]] std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double> weights,
                                                     OrientationDistribution law, std::uint64_t seed);
 
-/// Deals given directions (any length but zero) to `count` fibers: each is used count / directions times, the
-/// remainder at random. Raises InputError for an empty list or a direction of no length.
-[[nodiscard]] std::vector<Vec3> deal_orientations(std::span<const Vec3> directions, std::size_t count,
-                                                  std::uint64_t seed);
+/// Deals given directions (any length but zero) to fibers of these weights (length, m): each is used fibers /
+/// directions times, the remainder at random; then all are turned a little, p ← M p / |M p|, so that
+/// sum(w p p) / sum(w) is the mean p p of the list, as far as such turns can (two directions, say, keep their
+/// shares). Raises InputError for an empty list or a direction of no length.
+[[nodiscard]] std::vector<Vec3> deal_orientations(std::span<const Vec3> directions,
+                                                  std::span<const double> weights, std::uint64_t seed);
 
 /// Second moment sum(w p p) / sum(w) of unit directions.
 [[nodiscard]] Mat3 second_moment(std::span<const Vec3> directions, std::span<const double> weights);

@@ -10,8 +10,8 @@
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
-#include "microstructure/orientation_statistics.hpp"
 #include "packing/bundles.hpp"
+#include "packing/drawn_directions.hpp"
 #include "packing/relief.hpp"
 
 namespace fiberfate {
@@ -63,8 +63,7 @@ constexpr double barrier_share = 0.5;   // of the mean radius of curvature: the 
 constexpr double barrier_decay = 0.97;  // by which the aim is lowered while fibers still overlap
 constexpr double barrier_margin = 1.01;  // over the radius wanted
 constexpr int barrier_steps = 60;
-// The published route (thesis section 3.2.1): fibers in a plane but for a33 = 0.01, at 2.5 % by volume.
-const Vec3 planar_start(0.495, 0.495, 0.01);
+// The published route (thesis section 3.2.1) begins at 2.5 % by volume.
 constexpr double dilute_fraction = 0.025;
 constexpr double most_compression = 0.02;  // strain of the cell's edges in one go
 constexpr double compress_bending = 1;
@@ -99,25 +98,10 @@ void resize_cell(Chains& chains, double ratio) {
 
 Packer::Packer(const PackingRequest& request, const std::function<void(const PackingProgress&)>& progress)
     : request_(request), progress_(progress), unit_(thickest_diameter(request)) {
-  std::vector<double> lengths;
-  for (const FiberBlank& fiber : request.fibers) lengths.push_back(fiber.length);
-  const OrientationRequest& wanted = request.orientation;
-  const bool measured = !wanted.directions.empty();
-  const Mat3 start =
-      request.start == PackingStart::compressed ? Mat3(planar_start.asDiagonal()) : wanted.tensor;
-  const std::vector<Vec3> directions =
-      measured ? deal_orientations(wanted.directions, lengths.size(), request.seed)
-               : sample_orientations(start, lengths, wanted.law, request.seed);
-  asked_ = measured ? second_moment(directions, lengths) : wanted.tensor;
-  target_ = asked_;
-  const double drawn_error = (second_moment(directions, lengths) - asked_).cwiseAbs().maxCoeff();
-  if (holds_orientation(request.start) && drawn_error >= request.orientation_tolerance)
-    throw InputError(
-        fmt::format("{} fibers cannot have this orientation: the nearest that they have is off by {:.3g}",
-                    lengths.size(), drawn_error),
-        "ask for more fibers, or for an orientation tolerance above that");
-  drawn4_ = fourth_moment({directions, lengths});
-  straight_ = straight_chains(request, directions);
+  const DrawnDirections drawn = draw_directions(request);
+  asked_ = target_ = drawn.asked;
+  drawn4_ = drawn.fourth_moment;
+  straight_ = straight_chains(request, drawn.directions);
 }
 
 PackingEnergy Packer::plain_energy() const {

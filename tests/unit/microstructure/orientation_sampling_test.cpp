@@ -6,8 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/constants.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
+#include "microstructure/exact_closure.hpp"
+#include "microstructure/tensor.hpp"
 
 namespace fiberfate {
 namespace {
@@ -118,12 +121,88 @@ TEST(OrientationSampling, SubclustersHaveTheFourthMomentOfTheMixture) {
 
 TEST(OrientationSampling, DealsGivenDirectionsEvenly) {
   const std::vector<Vec3> measured = {{2, 0, 0}, {0, 3, 0}, {0, 0, 0.5}};
-  const auto dealt = deal_orientations(measured, 300, 9);
   const std::vector<double> weights(300, 1.0);
+  const auto dealt = deal_orientations(measured, weights, 9);
   EXPECT_LT(error(dealt, weights, Mat3::Identity() / 3), 1e-14);
-  EXPECT_THROW((void)deal_orientations({}, 3, 1), InputError);
+  EXPECT_THROW((void)deal_orientations({}, weights, 1), InputError);
   const std::vector<Vec3> zero = {Vec3::Zero()};
-  EXPECT_THROW((void)deal_orientations(zero, 3, 1), InputError);
+  EXPECT_THROW((void)deal_orientations(zero, weights, 1), InputError);
+}
+
+// A thousand of five thousand measured fibers, of unequal lengths: at random they would be off by some 0.01.
+TEST(OrientationSampling, DealsAPartOfAListWithTheMomentOfAll) {
+  const std::vector<double> alike(5000, 1.0);
+  const auto measured = sample_orientations(full_tensor(), alike, OrientationDistribution::subclusters, 1);
+  for (const std::size_t count : {100u, 1000u, 7001u}) {
+    const std::vector<double> weights = random_weights(count);
+    const auto dealt = deal_orientations(measured, weights, 3);
+    EXPECT_LT(error(dealt, weights, second_moment(measured, alike)), 1e-12);
+    // Turned by some tenth of a radian at most, a few hundredths in the mean: still measured directions.
+    double turned = 0;
+    for (const Vec3& p : dealt) {
+      double nearest = 0;
+      for (const Vec3& q : measured) nearest = std::max(nearest, std::abs(p.dot(q)));
+      turned = std::max(turned, std::acos(std::min(nearest, 1.0)));
+    }
+    EXPECT_LT(turned, 0.15);
+  }
+}
+
+// Nodes and weights of Gauss-Legendre quadrature on [-1, 1], by Newton's method on the recurrence.
+struct GaussLegendre {
+  explicit GaussLegendre(int count) {
+    for (int i = 0; i < count; ++i) {
+      double x = std::cos(pi * (i + 0.75) / (count + 0.5)), slope = 1;
+      for (int newton = 0; newton < 20; ++newton) {
+        double now = 1, before = 0;
+        for (int n = 1; n <= count; ++n) {
+          const double next = ((2 * n - 1) * x * now - (n - 1) * before) / n;
+          before = now;
+          now = next;
+        }
+        slope = count * (x * now - before) / (x * x - 1);
+        x -= now / slope;
+      }
+      nodes.push_back(x);
+      weights.push_back(2 / ((1 - x * x) * slope * slope));
+    }
+  }
+  std::vector<double> nodes, weights;
+};
+
+// The angular central Gaussian law is psi(p) = (p·B·p)^(-3/2) / 4 pi, det B = 1: its A2 picks B, and its A4
+// is the integral of p p p p psi, here by Gauss-Legendre quadrature over z and equal steps of the azimuth.
+TEST(OrientationSampling, DrawnFibersHaveTheFourthMomentOfTheLaw) {
+  const GaussLegendre gauss(200);
+  constexpr int azimuths = 400;
+  for (const Vec3& values :
+       {Vec3(0.6, 0.3, 0.1), Vec3(1. / 3, 1. / 3, 1. / 3), Vec3(0.8, 0.15, 0.05), Vec3(0.48, 0.48, 0.04)}) {
+    double shape[3];
+    ASSERT_TRUE(find_exact_shape(values.data(), shape));
+    const Vec3 b(shape[0], shape[1], shape[2]);
+    Mat6 law = Mat6::Zero();
+    Mat3 second = Mat3::Zero();
+    for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
+      for (int k = 0; k < azimuths; ++k) {
+        const double z = gauss.nodes[i], r = std::sqrt(1 - z * z), angle = 2 * pi * k / azimuths;
+        const Vec3 p(r * std::cos(angle), r * std::sin(angle), z);
+        const double psi = std::pow(p.dot(b.cwiseProduct(p)), -1.5) / (4 * pi);
+        const double share = psi * gauss.weights[i] * 2 * pi / azimuths;
+        law += share * fourth_power(p);
+        second += share * p * p.transpose();
+      }
+    }
+    ASSERT_LT((second - Mat3(values.asDiagonal())).cwiseAbs().maxCoeff(), 1e-6);
+    for (const std::size_t count : {1000u, 20000u}) {
+      const std::vector<double> weights(count, 1.0);
+      const auto p = sample_orientations(values.asDiagonal(), weights,
+                                         OrientationDistribution::angular_central_gaussian, 4);
+      Mat6 drawn = Mat6::Zero();
+      for (const Vec3& one : p) drawn += fourth_power(one) / static_cast<double>(count);
+      // Points of a Fibonacci sphere integrate smooth functions to about 1 / count.
+      EXPECT_LT((drawn - law).cwiseAbs().maxCoeff(), 2 / static_cast<double>(count)) << values.transpose();
+    }
+  }
 }
 
 TEST(OrientationSampling, RefusesWhatNoFibersHave) {

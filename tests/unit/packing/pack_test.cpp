@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "fibers/observables.hpp"
+#include "microstructure/exact_closure.hpp"
 
 namespace fiberfate {
 namespace {
@@ -117,6 +118,39 @@ TEST(Pack, TakesMeasuredDirections) {
   const PackingResult result = pack(request);
   EXPECT_NEAR(result.report.orientation_reached(0, 0), 0.5, 0.005);
   EXPECT_NEAR(result.report.orientation_reached(2, 2), 0, 0.005);
+}
+
+// Three directions in four of a list of 200, for fibers of two lengths: the moment is that of the whole list.
+TEST(Pack, HasTheMomentOfAllMeasuredDirections) {
+  PackingRequest request = crowded_request();
+  request.cell = rectangular_cell(Vec3::Constant(1.4e-3));
+  request.fibers.assign(150, {1e-3, 10, 0});
+  for (std::size_t f = 0; f < 150; f += 3) request.fibers[f] = {0.4e-3, 4, 0};
+  const std::vector<double> alike(200, 1.0);
+  request.orientation.directions = sample_orientations(Vec3(0.6, 0.3, 0.1).asDiagonal(), alike,
+                                                       OrientationDistribution::angular_central_gaussian, 7);
+  const PackingReport report = pack(request).report;
+  EXPECT_NEAR(report.orientation_asked(0, 0), 0.6, 1e-6);
+  EXPECT_NEAR(report.orientation_asked(1, 1), 0.3, 1e-6);
+  EXPECT_LT(report.orientation_error, 0.005);
+}
+
+// What is reported as A4 of the law is that of psi = (p·B·p)^(-3/2) / 4 pi, of which the exact closure is the
+// integral (orientation_sampling_test.cpp compares both with quadrature).
+TEST(Pack, ReportsTheFourthMomentOfTheSmoothLaw) {
+  PackingRequest request = crowded_request();
+  request.fibers.assign(1000, {0.2e-3, 2, 0});
+  request.cell = rectangular_cell(Vec3::Constant(1.6e-3));
+  request.orientation.tensor = Vec3(0.6, 0.3, 0.1).asDiagonal();
+  const PackingReport report = pack(request).report;
+  const double values[] = {0.6, 0.3, 0.1};
+  double law[6];
+  close_exactly(values, law);
+  const int places[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_NEAR(report.orientation4_drawn(places[i][0], places[i][1]), law[i], 0.002);
+    EXPECT_NEAR(report.orientation4_reached(places[i][0], places[i][1]), law[i], 0.005);
+  }
 }
 
 // As figure 3.6 makes it, but exact: shares of 3D-random, planar-random and aligned fibers.
