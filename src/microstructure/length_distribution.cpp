@@ -18,7 +18,7 @@ namespace {
 
 // Most that the mean length may leave that of the law so that the total comes out: realised means keep within
 // 0.5 %.
-constexpr double most_adjustment = 0.005;
+constexpr double most_adjustment = 0.0049;
 
 // Rows of random counters, so that the uses of the length stream stay independent.
 enum Draw : std::uint32_t { place_draw = 0, deal_draw = 1 };
@@ -200,7 +200,7 @@ std::vector<double> stratified(const Draft& draft, const Quantile& quantile) {
 
 std::vector<double> sample(const WeibullLengths& law, const Draft& draft) {
   const auto quantiles = stratified(draft, [](double u) { return -std::log1p(-u); });
-  return fit_power(quantiles, draft.mean, law.weight_average * draft.mean / law.number_average);
+  return fit_power(quantiles, draft.mean, law.weight_average);
 }
 
 /// Quantile of the standard normal distribution, by bisection of erfc: fast enough for what is done once.
@@ -210,7 +210,7 @@ double normal_quantile(double probability) {
 
 std::vector<double> sample(const LogNormalLengths& law, const Draft& draft) {
   const auto quantiles = stratified(draft, [](double u) { return std::exp(normal_quantile(u)); });
-  return fit_power(quantiles, draft.mean, law.weight_average * draft.mean / law.number_average);
+  return fit_power(quantiles, draft.mean, law.weight_average);
 }
 
 void check(const SingleLength& single) {

@@ -56,7 +56,7 @@ struct Population {
 
 /// Works out count, lengths, rods and cell. A fixed count with a fraction makes a cube that fits exactly. A
 /// fixed cell rounds the count of every kind to the nearest fiber; then lengths that follow a histogram or a
-/// smooth law change a little (L_N by 0.5 % at most) so that the volume is exact, while single and listed
+/// smooth law change a little (L_N by less than 0.5 %) so that the volume is exact, while single and listed
 /// lengths stay as they are and the volume is that of whole fibers. Raises InputError for contradictions and
 /// for what cannot exist (a fraction beyond the densest packing of parallel rods, pi/sqrt(12) = 0.907),
 /// saying what would be possible.
