@@ -55,7 +55,8 @@ void read_keys(const TomlDocument& document, const KeyTable& table, Problems& pr
       if (key.notes.need != Need::required) continue;
       InputProblem problem = problem_at_key(document, key.name);
       problem.complaint = "not given";
-      problem.remedy = fmt::format("add {} = {} under [{}]", key.leaf(), key.notes.example, key.section());
+      problem.remedy =
+          fmt::format("add {} = {} under {}", key.leaf(), key.notes.example, table_heading(key.section()));
       problems.push_back(std::move(problem));
       continue;
     }
@@ -97,9 +98,12 @@ InputProblem unknown_key(const TomlEntry& entry, const Study& study, const KeyTa
   InputProblem problem = problem_at(entry);
   problem.line = entry.place.line;
   problem.column = entry.place.column;
-  if (is_section(table, entry.key)) {
+  if (table.is_repeated(entry.key)) {
+    problem.complaint = "this is a table, and there may be several, not a key";
+    problem.remedy = fmt::format("write [[{}]] and its keys below, once for each", entry.key);
+  } else if (is_section(table, entry.key)) {
     problem.complaint = "this is a table, not a key";
-    problem.remedy = fmt::format("write [{}] and its keys below", entry.key);
+    problem.remedy = fmt::format("write {} and its keys below", table_heading(entry.key));
   } else {
     problem.complaint = fmt::format("unknown key in study {}", study.name);
     problem.remedy = meant_key(entry.key, study, table);
@@ -109,18 +113,25 @@ InputProblem unknown_key(const TomlEntry& entry, const Study& study, const KeyTa
 
 InputProblem unknown_table(const TomlTable& unknown, const Study& study, const KeyTable& table) {
   InputProblem problem{
-      unknown.place.file, unknown.place.line, unknown.place.column, '[' + unknown.name + ']', "", "", ""};
+      unknown.place.file, unknown.place.line, unknown.place.column, table_heading(unknown.name), "", "", ""};
   if (const Key* key = table.find(unknown.name)) {
     problem.complaint = "this is a key, not a table";
-    problem.remedy = fmt::format("write {} = value under [{}]", key->leaf(), key->section());
+    problem.remedy = fmt::format("write {} = value under {}", key->leaf(), table_heading(key->section()));
     return problem;
   }
-  std::vector<std::string> names;
-  for (const Section& section : table.sections()) names.push_back(section.name);
-  const std::string nearest = nearest_word(unknown.name, names);
+  if (table.is_repeated(unknown.name)) {
+    problem.complaint = "there may be several of this table";
+    problem.remedy = fmt::format("write [[{}]], with two brackets", unknown.name);
+    return problem;
+  }
+  const std::vector<std::string> names = table.table_names();
+  const std::string nearest = nearest_word(without_numbers(unknown.name), names);
   problem.complaint = fmt::format("unknown table in study {}", study.name);
+  // Repeated tables are named without a number there, and written in double brackets.
+  const std::string heading =
+      table_heading(table.is_repeated(nearest) ? KeyTable::repeated_name(nearest, 0) : nearest);
   problem.remedy = nearest.empty() ? fmt::format("the tables are {}", fmt::join(names, ", "))
-                                   : fmt::format("did you mean [{}]?", nearest);
+                                   : fmt::format("did you mean {}?", heading);
   return problem;
 }
 
@@ -150,7 +161,7 @@ LoadedCase read_case(TomlDocument document, const std::string& folder, NamedFile
   loaded.study = &study;
   loaded.path = document.name();
   loaded.values = study.make();
-  KeyTable table(folder);
+  KeyTable table(folder, document);
   study.describe(table, loaded.values);
   add_preset(table, document);
   Problems problems;

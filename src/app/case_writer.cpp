@@ -53,9 +53,20 @@ std::string annotated_key(const Key& key, const std::string& standard, Examples 
   return text;
 }
 
+/// Comments out the lines that are no comments yet.
+std::string commented_out(const std::string& lines) {
+  std::istringstream stream(lines);
+  std::string text;
+  for (std::string line; std::getline(stream, line);)
+    text += (line.empty() || line.starts_with('#') ? "" : "# ") + line + '\n';
+  return text;
+}
+
 std::string annotated(const Study& study, const CaseValues& values, Examples examples) {
   CaseValues copy = values, standard = study.make();
-  KeyTable table, defaults;
+  const auto repeats =
+      examples == Examples::active ? KeyTable::Repeats::one_to_show : KeyTable::Repeats::of_case;
+  KeyTable table(repeats), defaults(repeats);
   study.describe(table, copy);
   study.describe(defaults, standard);
   std::string text =
@@ -65,12 +76,14 @@ std::string annotated(const Study& study, const CaseValues& values, Examples exa
           "with # are comments: defaults, and keys that are not given.") +
       fmt::format("study = \"{}\"\n", study.name);
   for (const Section& section : table.sections()) {
-    text += fmt::format("\n{}[{}]\n", comment(section.text), section.name);
-    for (std::size_t i = 0; i < table.keys().size(); ++i) {
-      const Key& key = table.keys()[i];
-      if (key.section() == section.name)
-        text += '\n' + annotated_key(key, defaults.keys()[i].write(NumberStyle::friendly), examples);
+    std::string lines = fmt::format("\n{}{}\n", comment(section.text), table_heading(section.name));
+    for (const Key& key : table.keys()) {
+      if (key.section() != section.name) continue;
+      const Key* same = defaults.find(key.name);
+      lines += '\n' + annotated_key(key, same == nullptr ? "" : same->write(NumberStyle::friendly), examples);
     }
+    const bool shown_only = examples == Examples::active && without_numbers(section.name) != section.name;
+    text += shown_only ? commented_out(lines) : lines;
   }
   return text;
 }
@@ -95,7 +108,7 @@ std::string resolved_case(const Study& study, const CaseValues& values) {
         keys += fmt::format("{} = {}{}\n", key.leaf(), value,
                             key.notes.unit == "1" ? std::string() : "  # " + key.notes.unit);
     }
-    text += fmt::format("\n[{}]\n{}", section.name, keys);
+    text += fmt::format("\n{}\n{}", table_heading(section.name), keys);
   }
   return text;
 }

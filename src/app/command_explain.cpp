@@ -40,12 +40,12 @@ struct StudyKeys {
 
   const Study& study;
   CaseValues values;
-  KeyTable table;
+  KeyTable table{KeyTable::Repeats::one_to_show};
 };
 
 void explain_key(const Key& key, const std::string& study) {
   const KeyFacts facts = key_facts(key);
-  fmt::print("{} ({})\n{}", key.name, study, wrapped(key.notes.text, 2));
+  fmt::print("{} ({})\n{}", without_numbers(key.name), study, wrapped(key.notes.text, 2));
   for (const auto& [name, meaning] : key.choices) fmt::print("    {:<14} {}\n", '"' + name + '"', meaning);
   const std::pair<const char*, std::string> lines[] = {{"kind", facts.kind},        {"unit", facts.unit},
                                                        {"default", facts.standard}, {"range", facts.range},
@@ -55,7 +55,7 @@ void explain_key(const Key& key, const std::string& study) {
 }
 
 void explain_section(const StudyKeys& keys, const Section& section) {
-  fmt::print("[{}] ({})\n{}", section.name, keys.study.name, wrapped(section.text, 2));
+  fmt::print("{} ({})\n{}", table_heading(section.name), keys.study.name, wrapped(section.text, 2));
   std::size_t width = 0;
   for (const Key& key : keys.table.keys()) width = std::max(width, key.leaf().size());
   for (const Key& key : keys.table.keys()) {
@@ -86,8 +86,8 @@ void explain_overview() {
   std::vector<std::string> names = study_names();
   for (const Study& study : studies()) {
     const StudyKeys keys(study);
-    for (const Section& section : keys.table.sections()) names.push_back(section.name);
-    for (const Key& key : keys.table.keys()) names.push_back(key.name);
+    for (const Section& section : keys.table.sections()) names.push_back(without_numbers(section.name));
+    for (const Key& key : keys.table.keys()) names.push_back(without_numbers(key.name));
     for (const Key& key : keys.table.keys()) names.push_back(key.leaf());
   }
   const std::string nearest = nearest_word(topic, names);
@@ -101,12 +101,12 @@ bool explain_in(const Study& study, const std::string& topic) {
   const StudyKeys keys(study);
   bool known = false;
   for (const Section& section : keys.table.sections()) {
-    if (section.name != topic) continue;
+    if (without_numbers(section.name) != topic) continue;
     explain_section(keys, section);
     known = true;
   }
   for (const Key& key : keys.table.keys()) {
-    if (key.name != topic && key.leaf() != topic) continue;
+    if (without_numbers(key.name) != topic && key.leaf() != topic) continue;
     if (known) fmt::print("\n");
     explain_key(key, study.name);
     known = true;

@@ -42,13 +42,13 @@ std::string key_reference() {
       "Every case begins with `study = \"NAME\"`.\n";
   for (const Study& study : studies()) {
     CaseValues values = study.make();
-    KeyTable table;
+    KeyTable table(KeyTable::Repeats::one_to_show);
     study.describe(table, values);
     text += fmt::format("\n## {}\n\n`study = \"{}\"`: {}.\n", study.name, study.name, study.summary);
     for (const Section& section : table.sections()) {
-      text += fmt::format(
-          "\n### [{}]\n\n{}\n\n| key | unit | default | range | meaning |\n|---|---|---|---|---|\n",
-          section.name, section.text);
+      text +=
+          fmt::format("\n### {}\n\n{}\n\n| key | unit | default | range | meaning |\n|---|---|---|---|---|\n",
+                      table_heading(section.name), section.text);
       for (const Key& key : table.keys())
         if (key.section() == section.name) text += key_row(key);
     }

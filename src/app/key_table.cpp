@@ -89,6 +89,24 @@ Complaints read_vector(const TomlValue& value, std::optional<Vec3>& member, KeyT
 
 }  // namespace
 
+std::string without_numbers(const std::string& name) {
+  std::string text;
+  for (std::size_t begin = 0; begin < name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const std::string part = name.substr(begin, end - begin);
+    if (part.find_first_not_of("0123456789") != std::string::npos) text += (text.empty() ? "" : ".") + part;
+    begin = end + 1;
+  }
+  return text;
+}
+
+std::string table_heading(const std::string& section) {
+  const std::string leaf = section.substr(section.rfind('.') + 1);
+  const bool repeated = leaf.find_first_not_of("0123456789") == std::string::npos;
+  const std::string heading = fmt::format("[{}]", without_numbers(section));
+  return repeated ? fmt::format("[{}]", heading) : heading;
+}
+
 std::string Key::section() const {
   const auto dot = name.rfind('.');
   return dot == std::string::npos ? "" : name.substr(0, dot);
@@ -103,6 +121,25 @@ const Key* KeyTable::find(const std::string& key) const {
   const auto found =
       std::find_if(keys_.begin(), keys_.end(), [&key](const Key& one) { return one.name == key; });
   return found == keys_.end() ? nullptr : &*found;
+}
+
+bool KeyTable::is_repeated(const std::string& name) const {
+  return std::find(repeated_.begin(), repeated_.end(), name) != repeated_.end();
+}
+
+std::vector<std::string> KeyTable::table_names() const {
+  std::vector<std::string> names = repeated_;
+  for (const Section& section : sections_)
+    if (without_numbers(section.name) == section.name) names.push_back(section.name);
+  return names;
+}
+
+std::size_t KeyTable::count_repeated(const std::string& name, std::size_t present) const {
+  if (repeats_ == Repeats::one_to_show) return std::max<std::size_t>(1, present);
+  if (document_ == nullptr) return present;
+  std::size_t count = 0;
+  while (document_->has_table(repeated_name(name, count))) ++count;
+  return count;
 }
 
 void KeyTable::section(std::string name, std::string text) {

@@ -56,18 +56,46 @@ struct Key {
 
 /// Heads a group of keys: one TOML table.
 struct Section {
-  std::string name;
+  std::string name;  ///< "fibers"; "fibers.more_kinds.2" of a table that is repeated
   std::string text;
 };
+
+/// Writes a name without the numbers of repeated tables: "fibers.more_kinds.2.length" is
+/// "fibers.more_kinds.length".
+[[nodiscard]] std::string without_numbers(const std::string& name);
+/// Writes the heading of a table: "[fibers]"; "[[fibers.more_kinds]]" of one that is repeated.
+[[nodiscard]] std::string table_heading(const std::string& section);
 
 /// Collects the keys of one case. A study's describe() adds every key with the member it lives in; the
 /// members' values at that moment are the defaults. The case must outlive the table.
 class KeyTable {
  public:
-  /// Takes the folder against which relative paths are read.
-  explicit KeyTable(std::string folder = ".") : folder_(std::move(folder)) {}
+  /// Says how many of the tables that a case may repeat are described: as many as the case has, or one each.
+  enum class Repeats { of_case, one_to_show };
+  /// Makes a table of keys that are written or shown.
+  explicit KeyTable(Repeats repeats = Repeats::of_case) : repeats_(repeats) {}
+  /// Makes a table of keys that are read from a document; takes the folder against which relative paths are
+  /// read.
+  KeyTable(std::string folder, const TomlDocument& document)
+      : folder_(std::move(folder)), document_(&document) {}
 
   void section(std::string name, std::string text);
+  /// A table that a case may give several times, [[name]]: makes an item for each and lets `describe` add the
+  /// keys of the tables "name.1", "name.2", ….
+  template <class Item, class Describe>
+  void repeated(const std::string& name, std::vector<Item>& items, const Describe& describe) {
+    repeated_.push_back(name);
+    items.resize(count_repeated(name, items.size()));
+    for (std::size_t i = 0; i < items.size(); ++i) describe(repeated_name(name, i), items[i]);
+  }
+  /// Names one of several tables, counted from 0.
+  [[nodiscard]] static std::string repeated_name(const std::string& name, std::size_t place) {
+    return name + '.' + std::to_string(place + 1);
+  }
+  /// Tells whether this is the name of tables that a case may repeat.
+  [[nodiscard]] bool is_repeated(const std::string& name) const;
+  /// Names the tables that a case may give, those that may be repeated without a number.
+  [[nodiscard]] std::vector<std::string> table_names() const;
 
   void quantity(const std::string& key, double& member, KeyNotes notes);
   /// A quantity without default.
@@ -127,12 +155,16 @@ class KeyTable {
   [[nodiscard]] const Key* find(const std::string& key) const;
 
  private:
+  [[nodiscard]] std::size_t count_repeated(const std::string& name, std::size_t present) const;
   void add_count(const std::string& key, KeyNotes notes, std::function<std::optional<std::int64_t>()> value,
                  std::function<void(std::int64_t)> set);
   void add_choice(const std::string& key, KeyNotes notes,
                   std::vector<std::pair<std::string, std::string>> names, std::function<std::size_t()> index,
                   std::function<void(std::size_t)> set);
-  std::string folder_;
+  std::string folder_ = ".";
+  const TomlDocument* document_ = nullptr;
+  Repeats repeats_ = Repeats::of_case;
+  std::vector<std::string> repeated_;
   std::vector<Section> sections_;
   std::vector<Key> keys_;
 };

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 
@@ -34,9 +36,23 @@ std::optional<double> number_of(const std::string& word) {
   return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
+std::string row_of(std::size_t columns) {
+  return columns == 1 ? "one number" : fmt::format("a row of {} numbers", columns);
+}
+
+/// Tells what is wrong with a row.
+std::string fault_of(const std::vector<std::string>& words, std::size_t columns) {
+  const auto odd = std::find_if_not(words.begin(), words.end(),
+                                    [](const std::string& word) { return number_of(word).has_value(); });
+  if (words.size() == columns && odd != words.end()) return fmt::format("'{}' is not a finite number", *odd);
+  return fmt::format("not {}", row_of(columns));
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> read_number_file(const std::string& path, std::size_t columns) {
+  if (std::filesystem::is_directory(path))
+    throw InputError({{path, 0, 0, "", "", "is a folder, not a file", "give the file in it"}});
   std::ifstream file(path);
   if (!file)
     throw InputError(
@@ -58,12 +74,12 @@ std::vector<std::vector<double>> read_number_file(const std::string& path, std::
     if (row.size() == columns && words.size() == columns)
       rows.push_back(std::move(row));
     else
-      problems.push_back({path, line_number, 0, "", "", fmt::format("not a row of {} numbers", columns),
+      problems.push_back({path, line_number, 0, "", "", fault_of(words, columns),
                           "separate numbers by spaces or commas, with a decimal point"});
   }
   if (rows.empty() && problems.empty())
     problems.push_back(
-        {path, 0, 0, "", "", "holds no numbers", fmt::format("give rows of {} numbers", columns)});
+        {path, 0, 0, "", "", "holds no numbers", fmt::format("give {} a line", row_of(columns))});
   if (!problems.empty()) throw InputError(std::move(problems));
   return rows;
 }

@@ -41,6 +41,13 @@ class Flattener {
       if (value.is_table()) {
         tables.push_back({key, place_of(value)});
         flatten(value, key);
+      } else if (holds_tables(value)) {
+        std::size_t count = 0;
+        for (const toml::value& item : value.as_array()) {
+          const std::string name = fmt::format("{}.{}", key, ++count);
+          tables.push_back({name, place_of(item)});
+          flatten(item, name);
+        }
       } else {
         TomlValue converted = convert(value);
         entries.push_back({key, key_place(converted.place), std::move(converted)});
@@ -52,6 +59,12 @@ class Flattener {
   std::vector<TomlTable> tables;
 
  private:
+  [[nodiscard]] static bool holds_tables(const toml::value& value) {
+    return value.is_array() && !value.as_array().empty() &&
+           std::all_of(value.as_array().begin(), value.as_array().end(),
+                       [](const toml::value& item) { return item.is_table(); });
+  }
+
   [[nodiscard]] InputPlace place_of(const toml::value& value) const {
     const auto location = value.location();
     return {name_, static_cast<int>(location.line()), static_cast<int>(location.column())};
@@ -225,6 +238,11 @@ const TomlEntry* TomlDocument::find(std::string_view key) const {
   const auto found = std::find_if(entries_.begin(), entries_.end(),
                                   [key](const TomlEntry& entry) { return entry.key == key; });
   return found == entries_.end() ? nullptr : &*found;
+}
+
+bool TomlDocument::has_table(std::string_view name) const {
+  return std::any_of(tables_.begin(), tables_.end(),
+                     [name](const TomlTable& table) { return table.name == name; });
 }
 
 InputProblem problem_at(const TomlEntry& entry) {

@@ -36,7 +36,8 @@ struct TomlEntry {
   TomlValue value;
 };
 
-/// Names one table ("fibers"), written as [fibers] or implied by a dotted key.
+/// Names one table ("fibers"), written as [fibers] or implied by a dotted key; tables that are repeated,
+/// [[fibers.kinds]], are "fibers.kinds.1", "fibers.kinds.2", ….
 struct TomlTable {
   std::string name;
   InputPlace place;
@@ -61,6 +62,8 @@ class TomlDocument {
   void add(std::vector<TomlEntry> entries);
   /// Finds a key; null when it is not given.
   [[nodiscard]] const TomlEntry* find(std::string_view key) const;
+  /// Tells whether there is a table of this name.
+  [[nodiscard]] bool has_table(std::string_view name) const;
   [[nodiscard]] const std::vector<TomlEntry>& entries() const { return entries_; }
   [[nodiscard]] const std::vector<TomlTable>& tables() const { return tables_; }
   [[nodiscard]] const std::string& name() const { return name_; }

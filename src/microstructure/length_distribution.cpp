@@ -94,7 +94,8 @@ std::vector<std::size_t> bin_counts(const std::vector<double>& shares, std::size
 /// Says how many lengths are drawn and what their mean shall be.
 struct Draft {
   std::size_t count;
-  double mean;  ///< m
+  double mean;      ///< m
+  double shortest;  ///< m
   std::uint64_t seed;
 };
 
@@ -105,21 +106,25 @@ double stratum(std::size_t i, std::size_t count) {
 
 /// Solves f(x) = 0 for a rising f with f(low) <= 0 <= f(high).
 double bisect(const std::function<double(double)>& rising, double low, double high) {
+  constexpr int most_halvings = 100;  // a root at zero would be halved for ever
   double middle = 0.5 * (low + high);
-  for (; middle != low && middle != high; middle = 0.5 * (low + high))
+  for (int i = 0; i < most_halvings && middle != low && middle != high; ++i) {
     (rising(middle) > 0 ? high : low) = middle;
+    middle = 0.5 * (low + high);
+  }
   return middle;
 }
 
 /// Lengths of a histogram whose bins hold `counts` fibers, each bin evenly spread but for u^`tilt` on its way
 /// from edge to edge.
 std::vector<double> fill_bins(const LengthHistogram& histogram, const std::vector<std::size_t>& counts,
-                              double tilt) {
+                              double shortest, double tilt) {
   std::vector<double> lengths;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double width = histogram.edges[i + 1] - histogram.edges[i];
     for (std::size_t k = 0; k < counts[i]; ++k)
-      lengths.push_back(histogram.edges[i] + width * std::pow(stratum(k, counts[i]), tilt));
+      lengths.push_back(
+          std::max(shortest, histogram.edges[i] + width * std::pow(stratum(k, counts[i]), tilt)));
   }
   return lengths;
 }
@@ -129,8 +134,11 @@ std::vector<double> fill_bins(const LengthHistogram& histogram, const std::vecto
 std::vector<double> sample(const LengthHistogram& histogram, const Draft& draft) {
   const std::vector<std::size_t> counts = bin_counts(number_shares(histogram), draft.count);
   const double tilt = bisect(
-      [&](double exponent) { return draft.mean - mean(fill_bins(histogram, counts, exponent)); }, 0.5, 2);
-  return fill_bins(histogram, counts, tilt);
+      [&](double exponent) {
+        return draft.mean - mean(fill_bins(histogram, counts, draft.shortest, exponent));
+      },
+      0.5, 2);
+  return fill_bins(histogram, counts, draft.shortest, tilt);
 }
 
 std::vector<double> sample(const SingleLength& single, const Draft& draft) {
@@ -174,14 +182,34 @@ std::vector<double> sample(const ListedLengths& list, const Draft& draft) {
   return lengths;
 }
 
+/// Scales lengths to a mean, those that would be too short being as long as they may be.
+void scale_to_mean(std::vector<double>& lengths, double wanted, double shortest) {
+  const auto count = static_cast<double>(lengths.size());
+  double scale = wanted / mean(lengths);
+  for (double floored = 0, before = -1; floored > before;) {
+    before = floored;
+    floored = 0;
+    double rest = 0;
+    for (const double length : lengths) {
+      if (scale * length < shortest)
+        floored += 1;
+      else
+        rest += length;
+    }
+    if (floored == 0) break;
+    scale = (wanted * count - shortest * floored) / rest;
+  }
+  for (double& length : lengths) length = std::max(shortest, scale * length);
+}
+
 /// Takes q^α times the scale that gives mean L_N, with α such that the realised L_W is right. Weibull and
 /// log-normal families are closed under powers, so the result is still a sample of the family.
-std::vector<double> fit_power(const std::vector<double>& quantiles, double number, double weight) {
+/// What would be too short is as long as it may be.
+std::vector<double> fit_power(const std::vector<double>& quantiles, const Draft& draft, double weight) {
   const auto powered = [&](double exponent) {
     std::vector<double> lengths(quantiles);
     for (double& length : lengths) length = std::pow(length, exponent);
-    const double scale = number / mean(lengths);
-    for (double& length : lengths) length *= scale;
+    scale_to_mean(lengths, draft.mean, draft.shortest);
     return lengths;
   };
   constexpr double widest = 60;
@@ -200,7 +228,7 @@ std::vector<double> stratified(const Draft& draft, const Quantile& quantile) {
 
 std::vector<double> sample(const WeibullLengths& law, const Draft& draft) {
   const auto quantiles = stratified(draft, [](double u) { return -std::log1p(-u); });
-  return fit_power(quantiles, draft.mean, law.weight_average);
+  return fit_power(quantiles, draft, law.weight_average);
 }
 
 /// Quantile of the standard normal distribution, by bisection of erfc: fast enough for what is done once.
@@ -210,7 +238,7 @@ double normal_quantile(double probability) {
 
 std::vector<double> sample(const LogNormalLengths& law, const Draft& draft) {
   const auto quantiles = stratified(draft, [](double u) { return std::exp(normal_quantile(u)); });
-  return fit_power(quantiles, draft.mean, law.weight_average);
+  return fit_power(quantiles, draft, law.weight_average);
 }
 
 void check(const SingleLength& single) {
@@ -297,7 +325,7 @@ std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& re
   const double wanted = request.total ? *request.total / fibers : expected;
   const Draft draft{request.count,
                     std::clamp(wanted, expected * (1 - most_adjustment), expected * (1 + most_adjustment)),
-                    request.seed};
+                    request.shortest, request.seed};
   std::vector<double> lengths = std::visit([&](const auto& kind) { return sample(kind, draft); }, law);
   deal(lengths, request.seed);
   return lengths;

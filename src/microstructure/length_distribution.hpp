@@ -62,6 +62,7 @@ struct LengthRequest {
   std::size_t count = 0;
   std::uint64_t seed = 1;
   std::optional<double> total = {};  ///< sum of the lengths, m; not given: count times the mean of the law
+  double shortest = 0;               ///< what a histogram or smooth law has below it is as long as this, m
 };
 
 /// Draws lengths (m), dealt at random. They are stratified: every fiber stands for an equal share of the law.

@@ -120,19 +120,27 @@ std::vector<LengthRequest> lengths_of(const std::vector<FiberSpecies>& species,
   std::vector<LengthRequest> lengths;
   if (request.count) {
     for (const std::int64_t count : share_out(*request.count, species))
-      lengths.push_back({static_cast<std::size_t>(count), seed++});
+      lengths.push_back(
+          {static_cast<std::size_t>(count), seed++, {}, species[lengths.size()].material.diameter()});
     return lengths;
   }
   const double volume = requested_fraction(species, request) * request.cell_size->prod();
   std::size_t fibers = 0;
   for (const FiberSpecies& one : species) {
     const double own = volume * one.volume_share / total_share(species);
-    lengths.push_back({static_cast<std::size_t>(count_in(own, one)), seed++, own / section(one)});
+    lengths.push_back(
+        {static_cast<std::size_t>(count_in(own, one)), seed++, own / section(one), one.material.diameter()});
     fibers += lengths.back().count;
   }
   if (fibers == 0)
     throw InputError("the cell would hold no fiber", "make the cell larger or the fraction higher");
   return lengths;
+}
+
+/// Rods nearest to the target, but none shorter than it is thick.
+Index rods_of(double length, const FiberSpecies& species) {
+  const auto most = static_cast<Index>(length / species.material.diameter());
+  return std::max<Index>(1, std::min<Index>(most, rods_for(length, species.rod_length)));
 }
 
 }  // namespace
@@ -165,8 +173,7 @@ Population plan_population(const std::vector<FiberSpecies>& species, const Conce
   for (std::size_t s = 0; s < species.size(); ++s) {
     population.materials.push_back(species[s].material);
     for (const double length : sample_lengths(species[s].length, lengths[s])) {
-      population.fibers.push_back(
-          {length, rods_for(length, species[s].rod_length), static_cast<std::uint16_t>(s)});
+      population.fibers.push_back({length, rods_of(length, species[s]), static_cast<std::uint16_t>(s)});
       volume += section(species[s]) * length;
     }
   }

@@ -57,7 +57,8 @@ struct Population {
 /// Works out count, lengths, rods and cell. A fixed count with a fraction makes a cube that fits exactly. A
 /// fixed cell rounds the count of every kind to the nearest fiber; then lengths that follow a histogram or a
 /// smooth law change a little (L_N by less than 0.5 %) so that the volume is exact, while single and listed
-/// lengths stay as they are and the volume is that of whole fibers. Raises InputError for contradictions and
+/// lengths stay as they are and the volume is that of whole fibers. No rod is shorter than it is thick, and
+/// nor is a fiber whose length follows a histogram or a smooth law. Raises InputError for contradictions and
 /// for what cannot exist (a fraction beyond the densest packing of parallel rods, pi/sqrt(12) = 0.907),
 /// saying what would be possible.
 [[nodiscard]] Population plan_population(const std::vector<FiberSpecies>& species,

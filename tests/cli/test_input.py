@@ -55,7 +55,7 @@ def read_keys():
         if line.startswith("## "):
             study = line[3:]
         elif line.startswith("### ["):
-            table = line[5:-1]
+            table = line[4:]
         elif line.startswith("| `"):
             key, unit, default, bounds = re.split(r"(?<!\\)\|", line)[1:5]
             keys.append((study, table, key.strip(" `"), unit.strip(), default.strip(), bounds.strip()))
@@ -64,6 +64,14 @@ def read_keys():
 
 KEYS = read_keys()
 STUDIES = sorted({study for study, *_ in KEYS})
+
+
+def named(table, separator=""):
+    """Names a table by its heading, "[fibers]" or "[[fibers.more_kinds]]"; messages number those that may be repeated."""
+    name = table.strip("[]")
+    for repeated in {other.strip("[]") for _, other, *_ in KEYS if other.startswith("[[")} if separator else ():
+        name = re.sub(rf"^{repeated}(?=\.|$)", repeated + separator, name)
+    return name
 
 
 def case_of_all(study, write):
@@ -75,9 +83,9 @@ def case_of_all(study, write):
             continue
         if of_table != table:
             table = of_table
-            lines.append(f"[{table}]")
+            lines.append(table)
         lines.append(value)
-        places[f"{table}.{key}"] = len(lines)
+        places[f"{named(table, '.1')}.{key}"] = len(lines)
     return "\n".join(lines) + "\n", places
 
 
@@ -142,8 +150,9 @@ def test_every_key_out_of_range_is_found(tmp_path, study):
 def test_every_key_explains_itself(tmp_path, study):
     for of_study, table, key, *_ in KEYS:
         if of_study == study:
-            done = call("explain", f"{table}.{key}", folder=tmp_path, expect=0)
-            assert done.stdout.startswith(f"{table}.{key} ("), done.stdout
+            name = f"{named(table)}.{key}"
+            done = call("explain", name, folder=tmp_path, expect=0)
+            assert done.stdout.startswith(f"{name} ("), done.stdout
 
 
 def edit(old, new, text=CASE):

@@ -22,7 +22,8 @@ std::vector<WeightedLengths> laws_of(const SampleCase& sample) {
   std::vector<WeightedLengths> laws;
   for (const FiberSpecies& kind : species(sample)) {
     const double volume = kind.material.radius * kind.material.radius * number_average(kind.length);
-    laws.push_back({sample_lengths(kind.length, {law_sample}), kind.volume_share / volume});
+    laws.push_back({sample_lengths(kind.length, {law_sample, 1, {}, kind.material.diameter()}),
+                    kind.volume_share / volume});
   }
   return laws;
 }

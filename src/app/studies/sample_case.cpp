@@ -1,39 +1,28 @@
 // Translates the choices about the fibers at the start for the packing.
 #include "app/studies/sample_case.hpp"
 
+#include <algorithm>
+
 namespace fiberfate {
 namespace {
 
 constexpr double single_fiber_cell = 4;  ///< edge of the cell of a lone fiber, in fiber lengths
 
-FiberMaterial material(const SampleCase& sample) {
-  return {sample.fibers.diameter / 2, sample.fibers.youngs_modulus, sample.fibers.density.value_or(0)};
+bool knows_densities(const SampleCase& sample) {
+  const auto& more = sample.fibers.more_kinds;
+  return sample.matrix_density && sample.fibers.density &&
+         std::all_of(more.begin(), more.end(),
+                     [](const FurtherKind& kind) { return kind.density.has_value(); });
 }
 
 }  // namespace
 
-LengthLaw length_law(const SampleCase& sample) {
-  const FiberChoices& fibers = sample.fibers;
-  if (!fibers.length_histogram.edges.empty()) return fibers.length_histogram;
-  if (!fibers.lengths.empty()) {
-    ListedLengths list;
-    for (const std::vector<double>& row : fibers.lengths) list.lengths.push_back(row[0]);
-    return list;
-  }
-  const LengthDistributionChoices& smooth = fibers.length_distribution;
-  if (smooth.number_average) {
-    const double number = *smooth.number_average, weight = smooth.weight_average.value_or(number);
-    if (smooth.law == LengthDistributionLaw::weibull) return WeibullLengths{number, weight};
-    return LogNormalLengths{number, weight};
-  }
-  return SingleLength{fibers.length.value_or(0)};
-}
-
 std::vector<FiberSpecies> species(const SampleCase& sample) {
-  std::vector<FiberSpecies> kinds = {
-      {material(sample), length_law(sample), sample.fibers.rod_length.value_or(0), 1}};
-  for (const std::vector<double>& row : sample.fibers.more_kinds)
-    kinds.push_back({{row[1] / 2, row[2], row[3]}, SingleLength{row[0]}, row[4], row[5]});
+  const auto one = [](const FiberKind& kind, double share) {
+    return FiberSpecies{material(kind), length_law(kind), kind.rod_length.value_or(0), share};
+  };
+  std::vector<FiberSpecies> kinds = {one(sample.fibers, 1)};
+  for (const FurtherKind& kind : sample.fibers.more_kinds) kinds.push_back(one(kind, kind.volume_share));
   return kinds;
 }
 
@@ -75,7 +64,7 @@ FiberState single_fiber(const SampleCase& sample) {
   const Vec3 direction = sample.cluster.direction.value_or(Vec3::UnitX()).normalized();
   const int rods = rods_for(length, sample.fibers.rod_length.value_or(length));
   FiberState state;
-  state.materials = {material(sample)};
+  state.materials = {material(sample.fibers)};
   state.cell = rectangular_cell(size);
   std::vector<Vec3> nodes;
   for (int i = 0; i <= rods; ++i) nodes.push_back(size / 2 + (i - rods / 2.0) * (length / rods) * direction);
@@ -96,7 +85,7 @@ std::optional<SamplePlan> plan_sample(const SampleCase& sample, std::uint64_t se
     plan.cell_size = population.cell_size;
     plan.volume_fraction = population.volume_fraction;
   }
-  if (sample.fibers.density && sample.matrix_density)
+  if (knows_densities(sample))
     plan.weight_fraction = weight_from_volume_fraction(plan.volume_fraction, mean_density(species(sample)),
                                                        *sample.matrix_density);
   return plan;

@@ -8,6 +8,7 @@
 
 #include "app/case_checker.hpp"
 #include "app/key_table.hpp"
+#include "app/studies/fiber_kind.hpp"
 #include "base/vector.hpp"
 #include "dynamics/parameters.hpp"
 #include "packing/packing.hpp"
@@ -15,33 +16,17 @@
 
 namespace fiberfate {
 
-/// Names the smooth laws of length.
-enum class LengthDistributionLaw { weibull, log_normal };
-
-/// Holds [fibers.length_distribution]: a smooth law by its two means.
-struct LengthDistributionChoices {
-  LengthDistributionLaw law = LengthDistributionLaw::weibull;
-  std::optional<double> number_average;  ///< L_N, m; not given: no such law is asked for
-  std::optional<double> weight_average;  ///< L_W, m
+/// Holds a [[fibers.more_kinds]]: one more kind of fibers in the same cell.
+struct FurtherKind : FiberKind {
+  double volume_share = 0;  ///< volume of these fibers, relative to that of the first kind
 };
 
-/// Holds [fibers]: what they are and how many. One of length, lengths, length_histogram and
-/// length_distribution is given.
-struct FiberChoices {
-  std::optional<double> length;              ///< of every fiber, m
-  std::vector<std::vector<double>> lengths;  ///< rows of one measured length, m
-  LengthHistogram length_histogram;
-  LengthDistributionChoices length_distribution;
-  double diameter = 0;               ///< m
-  double youngs_modulus = 0;         ///< Pa
-  std::optional<double> density;     ///< kg/m³
-  std::optional<double> rod_length;  ///< target; a fiber is cut in equal rods nearest to it, m
+/// Holds [fibers]: what they are and how many.
+struct FiberChoices : FiberKind {
   std::optional<std::int64_t> count;
   std::optional<double> volume_fraction;
   std::optional<double> weight_fraction;
-  /// Rows (length m, diameter m, Young's modulus Pa, density kg/m³, rod length m, volume share relative to
-  /// the first kind).
-  std::vector<std::vector<double>> more_kinds;
+  std::vector<FurtherKind> more_kinds;
 };
 
 /// Names where the fibers come from.
@@ -84,8 +69,6 @@ void describe_sample(KeyTable& table, SampleCase& sample);
 /// Adds the keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
 void describe_contact_law(KeyTable& table, ContactParameters& contact);
 
-/// Tells the law of the lengths of the first kind.
-[[nodiscard]] LengthLaw length_law(const SampleCase& sample);
 /// Tells the materials of all kinds.
 [[nodiscard]] std::vector<FiberMaterial> materials(const SampleCase& sample);
 

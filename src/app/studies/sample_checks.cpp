@@ -2,13 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/studies/sample_case.hpp"
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "packing/bundles.hpp"
 #include "packing/densest_fraction.hpp"
+#include "packing/drawn_directions.hpp"
 
 namespace fiberfate {
 namespace {
@@ -20,9 +21,6 @@ constexpr double fewest_diameters_a_cell =
 const std::vector<std::string> amount_keys = {"fibers.count", "fibers.volume_fraction",
                                               "fibers.weight_fraction"};
 
-const std::vector<std::string> length_keys = {"fibers.length", "fibers.lengths",
-                                              "fibers.length_histogram.edges",
-                                              "fibers.length_distribution.number_average"};
 // What only a cluster that is generated reads.
 const std::vector<std::string> packing_keys = {"cluster.orientation",       "cluster.law",
                                                "cluster.directions",        "cluster.start",
@@ -37,78 +35,6 @@ std::vector<std::string> given_of(const std::vector<std::string>& keys, const Ca
   std::copy_if(keys.begin(), keys.end(), std::back_inserter(given),
                [&checker](const std::string& key) { return checker.is_given(key); });
   return given;
-}
-
-void require(const std::string& key, const std::string& why, const std::string& example,
-             CaseChecker& checker) {
-  if (checker.is_given(key)) return;
-  const auto dot = key.rfind('.');
-  checker.error(key, "not given; " + why,
-                fmt::format("add {} = {} under [{}]", key.substr(dot + 1), example, key.substr(0, dot)));
-}
-
-/// Demands one way of giving lengths, and tells which key it is.
-std::string length_key(CaseChecker& checker) {
-  const std::vector<std::string> given = given_of(length_keys, checker);
-  if (given.empty()) require("fibers.length", "fibers need a length", "\"2.5 mm\"", checker);
-  for (std::size_t i = 1; i < given.size(); ++i)
-    checker.error(given[i], "contradicts " + checker.cite(given[0]), "remove one of the two");
-  return given.empty() ? "fibers.length" : given[0];
-}
-
-/// Demands both of two keys, or none.
-void require_both(const std::string& first, const std::string& second, const std::string& remedy,
-                  CaseChecker& checker) {
-  if (checker.is_given(first) == checker.is_given(second)) return;
-  const bool lacks_first = !checker.is_given(first);
-  checker.error(lacks_first ? first : second,
-                fmt::format("not given, but {} is", lacks_first ? second : first), remedy);
-}
-
-void validate_lengths(const SampleCase& sample, CaseChecker& checker) {
-  const std::string key = length_key(checker);
-  require_both("fibers.length_histogram.edges", "fibers.length_histogram.heights",
-               "give one more edge than there are heights", checker);
-  require_both("fibers.length_distribution.number_average", "fibers.length_distribution.weight_average",
-               "a law needs both means", checker);
-  const auto sound = [&checker](const char* each) { return checker.is_sound(each); };
-  constexpr std::array keys = {"fibers.length_histogram.edges", "fibers.length_histogram.heights",
-                               "fibers.length_distribution.number_average",
-                               "fibers.length_distribution.weight_average"};
-  if (!checker.is_sound(key) || !std::all_of(keys.begin(), keys.end(), sound)) return;
-  try {
-    require_admissible(length_law(sample));
-  } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems())
-      checker.error(key, problem.complaint, problem.remedy);
-  }
-}
-
-void validate_more_kinds(const FiberChoices& fibers, CaseChecker& checker) {
-  for (std::size_t i = 0; i < fibers.more_kinds.size(); ++i) {
-    const double length = fibers.more_kinds[i][0], diameter = fibers.more_kinds[i][1],
-                 rod_length = fibers.more_kinds[i][4];
-    if (length < diameter || rod_length < diameter)
-      checker.error_in_row("fibers.more_kinds", i,
-                           fmt::format("row {}: the fiber or its rods are shorter than it is thick", i + 1),
-                           "give a length and a rod_length of at least one diameter");
-  }
-}
-
-void validate_rods(const SampleCase& sample, CaseChecker& checker) {
-  const FiberChoices& fibers = sample.fibers;
-  require("fibers.rod_length", "fibers are cut into rods", "\"0.1 mm\"", checker);
-  if (fibers.diameter <= 0) return;
-  const std::string diameter = checker.cite("fibers.diameter");
-  if (fibers.length && *fibers.length < fibers.diameter)
-    checker.error("fibers.length", "a fiber is shorter than it is thick, " + diameter,
-                  "give a length of at least one diameter");
-  else if (fibers.rod_length && *fibers.rod_length < fibers.diameter)
-    checker.error("fibers.rod_length", "a rod is shorter than it is thick, " + diameter,
-                  "give at least one diameter; about five is usual");
-  else if (fibers.rod_length && *fibers.rod_length < 2 * fibers.diameter)
-    checker.warn("fibers.rod_length", "rods are shorter than two diameters",
-                 "contacts next to a hinge are then counted on both of its rods; about five is usual");
 }
 
 /// Demands two of amount and cell, and no more.
@@ -127,13 +53,18 @@ void validate_concentration(CaseChecker& checker) {
   } else if (amounts.empty()) {
     checker.error("fibers.count", "not given, and no fraction either",
                   "add count, volume_fraction or weight_fraction under [fibers]");
-    if (!cell) require("cell.size", "fibers need a cell", "\"1.5 mm\"", checker);
+    if (!cell) require_key("cell.size", "fibers need a cell", "\"1.5 mm\"", checker);
   } else if (given < 2) {
     const bool count = amounts.front() == "fibers.count";
     checker.error(amounts.front(), "does not fix the cell by itself",
                   count ? "add size under [cell], or a fraction under [fibers]"
                         : "add size under [cell], or count under [fibers]");
   }
+}
+
+/// Names the table of a further kind (from 0).
+std::string kind_table(std::size_t kind) {
+  return KeyTable::repeated_name("fibers.more_kinds", kind);
 }
 
 void validate_densities(const SampleCase& sample, CaseChecker& checker) {
@@ -146,15 +77,24 @@ void validate_densities(const SampleCase& sample, CaseChecker& checker) {
     return;
   }
   const std::string why = "fibers.weight_fraction needs it";
-  require("fibers.density", why, "\"2550 kg/m3\"", checker);
-  require("matrix.density", why, "\"905 kg/m3\"", checker);
+  require_key("fibers.density", why, "\"2550 kg/m3\"", checker);
+  for (std::size_t i = 0; i < sample.fibers.more_kinds.size(); ++i)
+    require_key(kind_table(i) + ".density", why, "\"1800 kg/m3\"", checker);
+  require_key("matrix.density", why, "\"905 kg/m3\"", checker);
 }
 
 void validate_cell(const SampleCase& sample, CaseChecker& checker) {
   if (!sample.cell_size) return;
-  if (sample.cell_size->minCoeff() < fewest_diameters_a_cell * sample.fibers.diameter)
+  std::string table = "fibers";
+  double thickest = sample.fibers.diameter;
+  for (std::size_t i = 0; i < sample.fibers.more_kinds.size(); ++i) {
+    if (sample.fibers.more_kinds[i].diameter <= thickest) continue;
+    thickest = sample.fibers.more_kinds[i].diameter;
+    table = kind_table(i);
+  }
+  if (sample.cell_size->minCoeff() < fewest_diameters_a_cell * thickest)
     checker.error("cell.size",
-                  fmt::format("the cell is hardly wider than a fiber, {}", checker.cite("fibers.diameter")),
+                  fmt::format("the cell is hardly wider than a fiber, {}", checker.cite(table + ".diameter")),
                   fmt::format("give edges of at least {} diameters", fewest_diameters_a_cell));
 }
 
@@ -163,7 +103,8 @@ double expected_rods(const SampleCase& sample) {
   const FiberChoices& fibers = sample.fibers;
   const double rod = fibers.rod_length.value_or(fibers.diameter);
   if (fibers.count)
-    return static_cast<double>(*fibers.count) * std::max(1.0, number_average(length_law(sample)) / rod);
+    return static_cast<double>(*fibers.count) *
+           std::max(1.0, number_average(length_law(sample.fibers)) / rod);
   const std::vector<FiberSpecies> kinds = species(sample);
   const double fraction =
       fibers.volume_fraction
@@ -178,6 +119,42 @@ double expected_rods(const SampleCase& sample) {
   return fraction * sample.cell_size->prod() * rods / shares;
 }
 
+/// Reports what is thrown at the key that is to blame.
+template <class Work>
+void report(const std::string& blamed, CaseChecker& checker, const Work& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems())
+      checker.error(blamed, problem.complaint, problem.remedy);
+  }
+}
+
+/// Finds what packing would refuse: fibers too few for their orientation, bundles too thick for their cell.
+void validate_packing(const SampleCase& sample, const Population& population, const std::string& blamed,
+                      CaseChecker& checker) {
+  constexpr std::size_t surely_enough = 1000;  // for any orientation
+  PackingRequest request = packing_request(sample, {}, 1);
+  request.materials = population.materials;
+  request.fibers = population.fibers;
+  request.cell = rectangular_cell(population.cell_size);
+  if (request.start != PackingStart::bundles) {
+    if (request.fibers.size() < surely_enough)
+      report(blamed, checker, [&request] { static_cast<void>(draw_directions(request)); });
+    return;
+  }
+  const std::string key = "cluster.bundle_fibers";
+  report(key, checker, [&] { request = plan_bundles(request).bundles; });
+  if (!checker.is_sound(key) || request.fibers.size() >= surely_enough) return;
+  try {
+    static_cast<void>(draw_directions(request));
+  } catch (const InputError&) {
+    checker.error(
+        key, fmt::format("{} bundles cannot have the orientation that is asked for", request.fibers.size()),
+        "put fewer fibers into a bundle, or ask for more fibers");
+  }
+}
+
 /// Works the plan out, so that what cannot exist is found now.
 void validate_plan(const SampleCase& sample, CaseChecker& checker) {
   if (!checker.is_sound()) return;
@@ -188,18 +165,26 @@ void validate_plan(const SampleCase& sample, CaseChecker& checker) {
                   "take a smaller cell, fewer fibers or longer rods");
     return;
   }
-  try {
-    const std::optional<SamplePlan> plan = plan_sample(sample, 1);
+  report(blamed, checker, [&] {
+    const Population population = plan_population(species(sample), concentration(sample), 1);
     const double densest = densest_fraction(sample.cluster.orientation);
     if (holds_orientation(sample.cluster.start) && sample.cluster.directions.empty() &&
-        plan->volume_fraction >= densest)
+        population.volume_fraction >= densest)
       checker.error(blamed,
                     fmt::format("the fibers fill {:.4g} of the cell, and with {} they fill at most {:.4g}",
-                                plan->volume_fraction, checker.cite("cluster.orientation"), densest),
+                                population.volume_fraction, checker.cite("cluster.orientation"), densest),
                     "lower the concentration, or align the fibers");
-  } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems())
-      checker.error(blamed, problem.complaint, problem.remedy);
+    else
+      validate_packing(sample, population, blamed, checker);
+  });
+}
+
+void validate_directions(const ClusterChoices& cluster, CaseChecker& checker) {
+  for (std::size_t i = 0; i < cluster.directions.size(); ++i) {
+    const std::vector<double>& row = cluster.directions[i];
+    if (std::any_of(row.begin(), row.end(), [](double component) { return component != 0; })) continue;
+    checker.error_in_row("cluster.directions", i, fmt::format("the direction in row {} has no length", i + 1),
+                         "give components that are not all zero");
   }
 }
 
@@ -220,9 +205,10 @@ void validate_generated(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused({"cluster.file"}, "cluster.source = \"file\"");
   checker.warn_unused({"cluster.direction"}, "cluster.source = \"fiber\"");
   validate_start(sample.cluster, checker);
-  validate_lengths(sample, checker);
-  validate_rods(sample, checker);
-  validate_more_kinds(sample.fibers, checker);
+  validate_directions(sample.cluster, checker);
+  validate_fiber_kind(sample.fibers, "fibers", checker);
+  for (std::size_t i = 0; i < sample.fibers.more_kinds.size(); ++i)
+    validate_fiber_kind(sample.fibers.more_kinds[i], kind_table(i), checker);
   validate_concentration(checker);
   validate_densities(sample, checker);
   validate_plan(sample, checker);
@@ -232,31 +218,31 @@ void validate_single(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused({"cluster.file"}, "cluster.source = \"file\"");
   checker.warn_unused(packing_keys, "cluster.source = \"generate\"");
   const std::string source = checker.cite("cluster.source");
-  require("cluster.direction", "a single fiber needs one", "[0.0, 1.0, 1.0]", checker);
+  require_key("cluster.direction", "a single fiber needs one", "[0.0, 1.0, 1.0]", checker);
   if (sample.cluster.direction && !(sample.cluster.direction->norm() > 0))
     checker.error("cluster.direction", "has no length", "give components that are not all zero");
-  require("fibers.length", "the fiber needs a length", "\"0.5 mm\"", checker);
-  validate_rods(sample, checker);
+  require_key("fibers.length", "the fiber needs a length", "\"0.5 mm\"", checker);
   if (sample.fibers.count.value_or(1) != 1)
     checker.error("fibers.count", "contradicts " + source, "remove it, or give 1");
   for (const std::string key :
        {"fibers.volume_fraction", "fibers.weight_fraction", "fibers.lengths", "fibers.length_histogram.edges",
-        "fibers.length_distribution.number_average", "fibers.more_kinds"})
+        "fibers.length_distribution.number_average", "fibers.more_kinds.1.diameter"})
     if (checker.is_given(key)) checker.error(key, "contradicts " + source, "remove one of the two");
+  validate_fiber_kind(sample.fibers, "fibers", checker);
 }
 
 void validate_from_file(const SampleCase& sample, CaseChecker& checker) {
-  require("cluster.file", "cluster.source = \"file\" needs it", "\"../cluster/checkpoint.h5\"", checker);
+  require_key("cluster.file", "cluster.source = \"file\" needs it", "\"../cluster/checkpoint.h5\"", checker);
   checker.check_file("cluster.file", sample.cluster.file);
   const std::string generate = "cluster.source = \"generate\"";
   checker.warn_unused({"cluster.direction"}, "cluster.source = \"fiber\"");
   checker.warn_unused({"fibers.rod_length"}, generate);
-  checker.warn_unused(length_keys, generate);
+  checker.warn_unused(length_keys("fibers"), generate);
   checker.warn_unused(amount_keys, generate);
   checker.warn_unused(packing_keys, generate);
   const bool tells_its_cell = sample.cluster.file.ends_with(".h5");
   if (!tells_its_cell && !sample.cluster.file.empty())
-    require("cell.size", "the cluster's file does not tell its cell", "\"1.5 mm\"", checker);
+    require_key("cell.size", "the cluster's file does not tell its cell", "\"1.5 mm\"", checker);
 }
 
 }  // namespace

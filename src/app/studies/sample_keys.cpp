@@ -4,62 +4,7 @@
 namespace fiberfate {
 namespace {
 
-void describe_fibers(KeyTable& table, FiberChoices& fibers) {
-  table.section("fibers",
-                "What the fibers are and how many. Of the number of fibers, their fraction (by volume or by "
-                "weight) and "
-                "cell.size give two; the third follows.");
-  table.quantity(
-      "fibers.length", fibers.length,
-      {.text = "Length of every fiber. Instead of it, fibers.lengths, [fibers.length_histogram] or "
-               "[fibers.length_distribution] gives a distribution.",
-       .unit = "m",
-       .friendly = "mm",
-       .range = Range::between(1e-6, 0.1),
-       .need = Need::usual,
-       .example = "\"2.5 mm\"",
-       .source = "thesis section 3.3.3"});
-  table.rows(
-      "fibers.lengths", fibers.lengths, {{"length", {"m", "mm"}, Range::between(1e-6, 0.1)}},
-      {.text = "Measured lengths, dealt to the fibers in turn: a list, or the path of a text file with one "
-               "length in m a line.",
-       .example = R"(["0.5 mm", "0.8 mm", "2.1 mm"])"});
-  table.quantity("fibers.diameter", fibers.diameter,
-                 {.text = "Diameter of every fiber.",
-                  .unit = "m",
-                  .friendly = "um",
-                  .range = Range::between(1e-7, 1e-3),
-                  .need = Need::required,
-                  .example = "\"19 um\"",
-                  .source = "thesis table 3"});
-  table.quantity(
-      "fibers.youngs_modulus", fibers.youngs_modulus,
-      {.text = "Young's modulus of the fibers; with the diameter it gives the bending stiffness E pi d^4/64.",
-       .unit = "Pa",
-       .friendly = "GPa",
-       .range = Range::between(1e6, 2e12),
-       .need = Need::required,
-       .example = "\"73 GPa\"",
-       .source = "thesis table 3"});
-  table.quantity("fibers.density", fibers.density,
-                 {.text = "Density of the fibers. Only weight fractions need it.",
-                  .unit = "kg/m3",
-                  .range = Range::between(100, 25000),
-                  .example = "\"2550 kg/m3\"",
-                  .source = "E glass"});
-}
-
 void describe_amount(KeyTable& table, FiberChoices& fibers) {
-  table.quantity(
-      "fibers.rod_length", fibers.rod_length,
-      {.text = "Wanted length of the rigid rods of which a flexible fiber is a chain. A fiber is cut into "
-               "equal rods, as many as come nearest to this length; a rod is at least one diameter long.",
-       .unit = "m",
-       .friendly = "mm",
-       .range = Range::positive(0.1),
-       .need = Need::usual,
-       .example = "\"0.1 mm\"",
-       .source = "thesis section 3.3.3"});
   table.count("fibers.count", fibers.count,
               {.text = "Number of fibers.", .range = Range::between(1, 1e7), .example = "628"});
   table.quantity(
@@ -80,63 +25,28 @@ void describe_amount(KeyTable& table, FiberChoices& fibers) {
        .source = "thesis table 3"});
 }
 
-void describe_more_kinds(KeyTable& table, FiberChoices& fibers) {
-  table.rows(
-      "fibers.more_kinds", fibers.more_kinds,
-      {{"length", {"m", "mm"}, Range::between(1e-6, 0.1)},
-       {"diameter", {"m", "um"}, Range::between(1e-7, 1e-3)},
-       {"youngs_modulus", {"Pa", "GPa"}, Range::between(1e6, 2e12)},
-       {"density", {"kg/m3", "kg/m3"}, Range::between(100, 25000)},
-       {"rod_length", {"m", "mm"}, Range::positive(0.1)},
-       {"volume_share", {"1", "1"}, Range::positive()}},
-      {.text = "More kinds of fibers in the same cell, one row each: [length, diameter, youngs_modulus, "
-               "density, rod_length, volume_share]; the share is relative to the kind that [fibers] "
-               "describes, and the amount of fibers counts all kinds.",
-       .example = R"([["1 mm", "7 um", "230 GPa", "1800 kg/m3", "0.05 mm", 0.5]])"});
-}
-
-void describe_length_distribution(KeyTable& table, LengthDistributionChoices& distribution) {
-  table.section("fibers.length_distribution",
-                "Lengths from a smooth law with given means, instead of fibers.length.");
-  table.choice("fibers.length_distribution.law", distribution.law,
-               {{LengthDistributionLaw::weibull, "weibull", "P(L < x) = 1 - exp(-(x/a)^b), by number"},
-                {LengthDistributionLaw::log_normal, "log_normal", "ln L is normal, by number"}},
-               {.text = "The law."});
-  table.quantity("fibers.length_distribution.number_average", distribution.number_average,
-                 {.text = "Mean length by number, L_N.",
-                  .unit = "m",
-                  .friendly = "mm",
-                  .range = Range::between(1e-6, 0.1),
-                  .example = "\"1.0 mm\"",
-                  .source = "thesis equation 2.5"});
-  table.quantity("fibers.length_distribution.weight_average", distribution.weight_average,
-                 {.text = "Mean length by weight, L_W; at least L_N.",
-                  .unit = "m",
-                  .friendly = "mm",
-                  .range = Range::between(1e-6, 0.1),
-                  .example = "\"2.0 mm\"",
-                  .source = "thesis equation 2.6"});
-}
-
-void describe_lengths(KeyTable& table, LengthHistogram& histogram) {
-  table.section("fibers.length_histogram",
-                "Lengths from a histogram, instead of fibers.length; within a bin they are "
-                "spread evenly.");
-  table.quantities("fibers.length_histogram.edges", histogram.edges,
-                   {.text = "Edges of the bins, rising: one more than there are bins.",
-                    .unit = "m",
-                    .friendly = "mm",
-                    .range = Range::between(0, 0.1),
-                    .example = R"(["0.5 mm", "1 mm", "1.5 mm", "2 mm"])"});
-  table.quantities("fibers.length_histogram.heights", histogram.heights,
-                   {.text = "Heights of the bins, on any scale.",
-                    .range = Range::not_negative(),
-                    .example = "[30, 50, 20]",
-                    .source = "thesis equation 3.30"});
-  table.choice("fibers.length_histogram.height", histogram.height,
-               {{HistogramHeight::fibers, "fibers", "share of the number of fibers"},
-                {HistogramHeight::length, "length", "share of the total length of the fibers"}},
-               {.text = "What the heights count.", .source = "thesis equations 3.30, 3.31"});
+void describe_fibers(KeyTable& table, FiberChoices& fibers) {
+  table.section("fibers",
+                "What the fibers are and how many. Of the number of fibers, their fraction (by volume or by "
+                "weight) and "
+                "cell.size give two; the third follows.");
+  describe_fiber_kind(table, "fibers", fibers);
+  describe_amount(table, fibers);
+  describe_length_laws(table, "fibers", fibers);
+  table.repeated(
+      "fibers.more_kinds", fibers.more_kinds, [&table](const std::string& name, FurtherKind& kind) {
+        table.section(
+            name,
+            "One more kind of fibers in the same cell; the table is repeated for each. Its keys are those of "
+            "[fibers]; the amount of fibers that [fibers] gives counts all kinds.");
+        describe_fiber_kind(table, name, kind);
+        table.quantity(name + ".volume_share", kind.volume_share,
+                       {.text = "Volume of these fibers, relative to that of the kind in [fibers].",
+                        .range = Range::positive(1e6),
+                        .need = Need::required,
+                        .example = "0.5"});
+        describe_length_laws(table, name, kind);
+      });
 }
 
 void describe_source(KeyTable& table, ClusterChoices& cluster) {
@@ -211,7 +121,7 @@ void describe_packing(KeyTable& table, ClusterChoices& cluster) {
       {.text =
            "Distance in diameters from which fibers repel each other while packing spreads them. More gives "
            "straighter fibers, but spaces them more evenly than chance.",
-       .range = Range::between(1, 20)});
+       .range = Range::between(1, 10)});
   table.quantity(
       "cluster.minimum_radius", cluster.minimum_radius,
       {.text = "Smallest radius of curvature that packing may bend a fiber to; 0 bends as little as it can.",
@@ -242,10 +152,6 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
        .example = "\"0.75 mm\"",
        .source = "thesis table 6"});
   describe_fibers(table, sample.fibers);
-  describe_amount(table, sample.fibers);
-  describe_more_kinds(table, sample.fibers);
-  describe_lengths(table, sample.fibers.length_histogram);
-  describe_length_distribution(table, sample.fibers.length_distribution);
   table.section("matrix", "The melt between the fibers.");
   table.quantity("matrix.density", sample.matrix_density,
                  {.text = "Density of the matrix. Only weight fractions need it.",

@@ -121,7 +121,7 @@ TEST(CaseFile, AnnotatedCasesReadBackAsTheyWere) {
 TEST(KeyTable, EveryKeyIsExplainedAndItsExampleIsRead) {
   for (const Study& study : studies()) {
     CaseValues values = study.make();
-    KeyTable table;
+    KeyTable table(KeyTable::Repeats::one_to_show);
     study.describe(table, values);
     for (const Key& key : table.keys()) {
       EXPECT_TRUE(key.notes.text.ends_with('.')) << key.name;

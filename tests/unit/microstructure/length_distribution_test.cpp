@@ -126,6 +126,18 @@ TEST(LengthDistribution, MeetsATotal) {
   }
 }
 
+TEST(LengthDistribution, HasNothingBelowTheShortest) {
+  const LengthHistogram histogram = {{0, 1e-3, 2e-3}, {1, 2}, HistogramHeight::fibers};
+  for (const LengthLaw& law : {LengthLaw(histogram), LengthLaw(WeibullLengths{0.2e-3, 0.4e-3}),
+                               LengthLaw(LogNormalLengths{0.1e-3, 0.4e-3})}) {
+    const auto free = sample_lengths(law, {2000, 3}), bounded = sample_lengths(law, {2000, 3, {}, 20e-6});
+    EXPECT_LT(*std::min_element(free.begin(), free.end()), 15e-6);
+    EXPECT_EQ(*std::min_element(bounded.begin(), bounded.end()), 20e-6);
+    EXPECT_NEAR(number_mean(bounded) / number_average(law), 1, 1e-9);
+    EXPECT_NEAR(weight_mean(bounded) / weight_average(law), 1, 1e-3);
+  }
+}
+
 // A list in order of size, as a spreadsheet gives it, of which a cell holds a part.
 TEST(LengthDistribution, PicksEvenlyFromAListThatIsLongerThanTheSample) {
   ListedLengths list;

@@ -202,6 +202,21 @@ TEST(Population, ACellOfAnySizeHasItsVolumeAndTheMeanLengths) {
   }
 }
 
+TEST(Population, NoRodIsShorterThanItIsThick) {
+  FiberSpecies species = glass(1);
+  ConcentrationRequest request;
+  request.count = 2000;
+  request.volume_fraction = 0.05;
+  for (const LengthLaw& law : {LengthLaw(WeibullLengths{0.2e-3, 0.4e-3}), LengthLaw(SingleLength{30e-6})}) {
+    for (const double rod : {19e-6, 30e-6, 100e-6}) {
+      species.length = law;
+      species.rod_length = rod;
+      for (const FiberBlank& fiber : plan_population({species}, request, 1).fibers)
+        EXPECT_GE(fiber.length / fiber.rods, 19e-6 * (1 - 1e-12));
+    }
+  }
+}
+
 TEST(Population, RefusesContradictions) {
   ConcentrationRequest request;
   EXPECT_EQ(refusal({glass(1e-3)}, request),
