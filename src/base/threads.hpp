@@ -3,7 +3,12 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/vector.hpp"
 
 namespace fiberfate {
 
@@ -26,11 +31,49 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
+/// Tells which of consecutive items is the first of a share, when `shares` of about equal weight are made; item
+/// i weighs running[i + 1] − running[i].
+[[nodiscard]] inline std::ptrdiff_t share_begin(std::span<const Index> running, int share, int shares) {
+  const auto items = static_cast<std::ptrdiff_t>(running.size()) - 1;
+  if (share >= shares) return items;
+  const auto weight = static_cast<std::ptrdiff_t>(running.back()) * share / shares;
+  return std::min(items, std::lower_bound(running.begin(), running.end(), weight) - running.begin());
+}
+
+/// The same for items of known weight: every thread takes one share of them, and the same one each time, so
+/// that what it wrote is near when it comes back.
+template <class Body>
+void parallel_for_weighted(std::span<const Index> running, const Body& body) {
+#pragma omp parallel
+  {
+    const int thread = omp_get_thread_num(), threads = omp_get_num_threads();
+    const std::ptrdiff_t end = share_begin(running, thread + 1, threads);
+    for (std::ptrdiff_t i = share_begin(running, thread, threads); i < end; ++i) body(i);
+  }
+}
+
 /// The same for iterations of very different length: threads take them eight at a time as they get free.
 template <class Body>
 void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
 #pragma omp parallel for schedule(dynamic, 8)
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
+
+/// Holds scratch for every thread, each on cache lines of its own: threads that write into one line wait for
+/// one another.
+template <class Scratch>
+class PerThread {
+ public:
+  /// Sees to it that all threads have theirs; call before a parallel loop.
+  void fit() { slots_.resize(std::max(slots_.size(), static_cast<std::size_t>(thread_count()))); }
+  /// Scratch of the calling thread.
+  [[nodiscard]] Scratch& mine() { return slots_[static_cast<std::size_t>(omp_get_thread_num())].scratch; }
+
+ private:
+  struct alignas(128) Slot {
+    Scratch scratch;
+  };
+  std::vector<Slot> slots_;
+};
 
 }  // namespace fiberfate

@@ -35,15 +35,26 @@ ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {
 }  // namespace
 
 void ChainSolver::arrange(const FiberState& state, DragLaw drag) {
-  std::vector<Index> order(static_cast<std::size_t>(state.fiber_count()));
-  std::iota(order.begin(), order.end(), 0);
+  groups_.clear();
+  share_begin_.assign(1, 0);
+  const int shares = thread_count();
+  for (int share = 0; share < shares; ++share) {
+    group_fibers(state, static_cast<Index>(share_begin(state.first_node, share, shares)),
+                 static_cast<Index>(share_begin(state.first_node, share + 1, shares)));
+    share_begin_.push_back(groups_.size());
+  }
+  arrange_rods(state, unit_drag_of_rods(state, drag));
+}
+
+/// Groups the fibers from `begin` to `end`, the longest ones first.
+void ChainSolver::group_fibers(const FiberState& state, Index begin, Index end) {
+  std::vector<Index> order(static_cast<std::size_t>(end - begin));
+  std::iota(order.begin(), order.end(), begin);
   std::stable_sort(order.begin(), order.end(),
                    [&](Index a, Index b) { return state.rod_count(a) > state.rod_count(b); });
-  groups_.clear();
   for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes)
     groups_.push_back(
         group_of(state, {order.data() + i, std::min<std::size_t>(ChainSystem::lanes, order.size() - i)}));
-  arrange_rods(state, unit_drag_of_rods(state, drag));
 }
 
 void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag) {
@@ -67,23 +78,28 @@ void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDra
 }
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
-  systems_.resize(std::max(systems_.size(), static_cast<std::size_t>(thread_count())));
-  parallel_for_uneven(static_cast<std::ptrdiff_t>(groups_.size()), [&](std::ptrdiff_t g) {
-    const ChainGroup& group = groups_[static_cast<std::size_t>(g)];
-    ChainSystem& system = systems_[static_cast<std::size_t>(omp_get_thread_num())];
-    system.reserve(group.nodes);
-    assemble_group(problem, group, rods_of(group), system);
-    eliminate(system, group.nodes);
-    for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
-      for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {
-        const auto n = static_cast<std::size_t>(group.first[lane] + k);
-        const double* record = system.record(k) + lane;
-        const double* w = record + ChainSystem::load * ChainSystem::lanes;
-        solution.relative_velocity[n] = Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
-        solution.tension[n] = record[ChainSystem::stretch * ChainSystem::lanes];
-      }
-    }
+  systems_.fit();
+  parallel_for(static_cast<std::ptrdiff_t>(share_begin_.size()) - 1, [&](std::ptrdiff_t s) {
+    const auto share = static_cast<std::size_t>(s);
+    for (std::size_t g = share_begin_[share]; g < share_begin_[share + 1]; ++g)
+      solve_group(problem, groups_[g], systems_.mine(), solution);
   });
+}
+
+void ChainSolver::solve_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system,
+                              const ChainSolution& solution) {
+  system.reserve(group.nodes);
+  assemble_group(problem, group, rods_of(group), system);
+  eliminate(system, group.nodes);
+  for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
+    for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {
+      const auto n = static_cast<std::size_t>(group.first[lane] + k);
+      const double* record = system.record(k) + lane;
+      const double* w = record + ChainSystem::load * ChainSystem::lanes;
+      solution.relative_velocity[n] = Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
+      solution.tension[n] = record[ChainSystem::stretch * ChainSystem::lanes];
+    }
+  }
 }
 
 std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, DragLaw law) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/threads.hpp"
 #include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
 #include "dynamics/drag.hpp"
@@ -46,7 +47,10 @@ class ChainSolver {
   void solve(const ChainProblem& problem, ChainSolution solution);
 
  private:
+  void group_fibers(const FiberState& state, Index begin, Index end);
   void arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag);
+  void solve_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system,
+                   const ChainSolution& solution);
 
   [[nodiscard]] double* rods_of(const ChainGroup& group) {
     return rods_.data() + std::ptrdiff_t{group.first_rods} * RodNumber::rod_numbers * ChainSystem::lanes;
@@ -54,7 +58,10 @@ class ChainSolver {
 
   std::vector<ChainGroup> groups_;
   AlignedArray rods_;                 ///< RodNumber, group after group
-  std::vector<ChainSystem> systems_;  ///< one a thread
+  /// First group of each thread's share: fibers are shared as everywhere, so that what a thread steps stays
+  /// with it.
+  std::vector<std::size_t> share_begin_;
+  PerThread<ChainSystem> systems_;
 };
 
 /// Evaluates the drag of every rod for a viscosity of 1 Pa s; one entry a node, rods stand at their first

@@ -47,7 +47,7 @@ void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& conte
                          {parameters_.friction, parameters_.slip_velocity},
                          constants_.data(),
                          static_cast<int>(materials_)};
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
+  parallel_for_weighted(pairs_.chunk_begins(), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
     evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin(i));
   });

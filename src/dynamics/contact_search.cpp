@@ -104,11 +104,10 @@ class ChunkSearch {
 void ContactSearch::find(const FiberState& state, NeighbourList& neighbours, double range) {
   const auto chunks = neighbours.chunks();
   contacts_.resize(chunks.size());
-  awake_.resize(std::max(awake_.size(), static_cast<std::size_t>(thread_count())));
-  parallel_for(static_cast<std::ptrdiff_t>(chunks.size()), [&](std::ptrdiff_t c) {
+  awake_.fit();
+  parallel_for_weighted(neighbours.chunk_entries(), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
-    ChunkSearch(state, neighbours, range)
-        .run(chunks[i], awake_[static_cast<std::size_t>(omp_get_thread_num())], contacts_[i]);
+    ChunkSearch(state, neighbours, range).run(chunks[i], awake_.mine(), contacts_[i]);
   });
 }
 

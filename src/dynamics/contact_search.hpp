@@ -20,7 +20,7 @@ class ContactSearch {
 
  private:
   ContactSet contacts_;
-  std::vector<std::vector<Index>> awake_;  // numbers of pairs, one a thread
+  PerThread<std::vector<Index>> awake_;  // numbers of pairs
 };
 
 }  // namespace fiberfate

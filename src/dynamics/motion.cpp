@@ -57,7 +57,7 @@ void extrapolate_to_middle(const FiberState& state, const Flow& flow, double ste
 void move_fibers(FiberState& state, const Flow& flow, double step, std::span<const Vec3> relative_velocity,
                  std::span<double> travelled) {
   const Mat3 affine = flow_map(flow, step);
-  parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
+  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
     const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
     const auto end = static_cast<std::size_t>(state.end_node(fiber));
@@ -80,7 +80,7 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
 double displacement_error(const FiberState& state, double step, std::vector<double>& by_fiber,
                           std::span<const Vec3> relative_velocity) {
   by_fiber.resize(static_cast<std::size_t>(state.fiber_count()));
-  parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
+  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
     double sum = 0;
     for (auto n = static_cast<std::size_t>(state.begin_node(fiber));

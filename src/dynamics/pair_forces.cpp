@@ -1,7 +1,8 @@
 // Deals the forces of contacts to their rods.
 #include "dynamics/pair_forces.hpp"
 
-#include <atomic>
+#include <numeric>
+#include <utility>
 
 #include "base/threads.hpp"
 #include "fibers/rod_pairs.hpp"
@@ -13,17 +14,17 @@ std::int64_t key_of(Index other, std::int32_t image) {
   return static_cast<std::int64_t>(other) << 24 | image;
 }
 
-/// Adds one and returns what was there before; threads may do so at the same time.
-Index take_one(Index& number, bool is_alone) {
-  return is_alone ? number++ : std::atomic_ref<Index>(number).fetch_add(1, std::memory_order_relaxed);
-}
-
 }  // namespace
 
 void PairForces::deal(const ContactSet& contacts, Index nodes) {
   count_forces(contacts);
-  count_shares(contacts, static_cast<std::size_t>(nodes));
-  place_shares(contacts);
+  const int dealers = thread_count();
+  next_.resize(static_cast<std::size_t>(dealers));
+  parallel_for(dealers, [&](std::ptrdiff_t dealer) {
+    count_shares(contacts, static_cast<int>(dealer), static_cast<std::size_t>(nodes));
+  });
+  begin_shares(static_cast<std::size_t>(nodes));
+  parallel_for(dealers, [&](std::ptrdiff_t dealer) { place_shares(contacts, static_cast<int>(dealer)); });
   sort_shares();
 }
 
@@ -35,46 +36,68 @@ void PairForces::count_forces(const ContactSet& contacts) {
   shares_.resize(2 * forces_.size());
 }
 
-void PairForces::count_shares(const ContactSet& contacts, std::size_t nodes) {
-  count_.assign(nodes, 0);
-  rank_.resize(shares_.size());
-  const bool is_alone = thread_count() == 1;
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
-    const ContactChunk& chunk = contacts[static_cast<std::size_t>(c)];
-    auto share = static_cast<std::size_t>(2 * chunk_begin_[static_cast<std::size_t>(c)]);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
-      rank_[share++] = take_one(count_[static_cast<std::size_t>(chunk.first[i])], is_alone);
-      rank_[share++] = take_one(count_[static_cast<std::size_t>(chunk.second[i])], is_alone);
-    }
-  });
-  begin_.resize(nodes + 1);
-  Index sum = 0;
-  for (std::size_t rod = 0; rod < nodes; ++rod) {
-    begin_[rod] = sum;
-    sum += count_[rod];
-  }
-  begin_[nodes] = sum;
+PairForces::Chunks PairForces::chunks_of(int dealer) const {
+  const auto dealers = static_cast<int>(next_.size());
+  return {static_cast<std::size_t>(share_begin(chunk_begin_, dealer, dealers)),
+          static_cast<std::size_t>(share_begin(chunk_begin_, dealer + 1, dealers))};
 }
 
-void PairForces::place_shares(const ContactSet& contacts) {
+void PairForces::count_shares(const ContactSet& contacts, int dealer, std::size_t nodes) {
+  std::vector<Index>& count = next_[static_cast<std::size_t>(dealer)];
+  count.assign(nodes, 0);
+  const Chunks mine = chunks_of(dealer);
+  for (std::size_t c = mine.begin; c < mine.end; ++c) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contacts[c].count); ++i) {
+      ++count[static_cast<std::size_t>(contacts[c].first[i])];
+      ++count[static_cast<std::size_t>(contacts[c].second[i])];
+    }
+  }
+}
+
+void PairForces::begin_shares(std::size_t nodes) {
+  begin_.resize(nodes + 1);
+  const std::size_t parts = next_.size();
+  const auto part_begin = [&](std::size_t part) { return static_cast<std::ptrdiff_t>(nodes * part / parts); };
+  part_begin_.assign(parts + 1, 0);
+  parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t i) {
+    const auto part = static_cast<std::size_t>(i);
+    for (const std::vector<Index>& count : next_)
+      part_begin_[part + 1] += std::accumulate(count.begin() + part_begin(part),
+                                               count.begin() + part_begin(part + 1), Index{0});
+  });
+  std::partial_sum(part_begin_.begin(), part_begin_.end(), part_begin_.begin());
+  parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t i) {
+    const auto part = static_cast<std::size_t>(i);
+    Index at = part_begin_[part];
+    for (auto rod = static_cast<std::size_t>(part_begin(part));
+         rod < static_cast<std::size_t>(part_begin(part + 1)); ++rod) {
+      begin_[rod] = at;
+      for (std::vector<Index>& next : next_) at += std::exchange(next[rod], at);
+    }
+  });
+  begin_[nodes] = part_begin_.back();
+}
+
+void PairForces::place_shares(const ContactSet& contacts, int dealer) {
+  std::vector<Index>& next = next_[static_cast<std::size_t>(dealer)];
   const auto put = [&](Index rod, const Share& share) {
-    const Index at = begin_[static_cast<std::size_t>(rod)] + rank_[static_cast<std::size_t>(share.number)];
-    shares_[static_cast<std::size_t>(at)] = share;
+    shares_[static_cast<std::size_t>(next[static_cast<std::size_t>(rod)]++)] = share;
   };
-  parallel_for(static_cast<std::ptrdiff_t>(contacts.size()), [&](std::ptrdiff_t c) {
-    const ContactChunk& chunk = contacts[static_cast<std::size_t>(c)];
-    Index number = 2 * chunk_begin_[static_cast<std::size_t>(c)];
+  const Chunks mine = chunks_of(dealer);
+  for (std::size_t c = mine.begin; c < mine.end; ++c) {
+    const ContactChunk& chunk = contacts[c];
+    Index number = 2 * chunk_begin_[c];
     for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.count); ++i) {
       const std::int32_t image = chunk.image[i];
       const std::int32_t back = image == 0 ? 0 : pack_image(-unpack_image(image));
       put(chunk.first[i], {key_of(chunk.second[i], image), number++});
       put(chunk.second[i], {key_of(chunk.first[i], back), number++});
     }
-  });
+  }
 }
 
 void PairForces::sort_shares() {
-  parallel_for(static_cast<std::ptrdiff_t>(count_.size()), [&](std::ptrdiff_t rod) {
+  parallel_for(static_cast<std::ptrdiff_t>(begin_.size()) - 1, [&](std::ptrdiff_t rod) {
     const auto r = static_cast<std::size_t>(rod);
     // Rods have a few shares at most: insertion is fastest.
     for (Index i = begin_[r] + 1; i < begin_[r + 1]; ++i) {

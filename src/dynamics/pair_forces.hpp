@@ -47,6 +47,7 @@ class PairForces {
   [[nodiscard]] std::span<const PairForce> forces() const { return forces_; }
   /// Number of the first force of a chunk of contacts.
   [[nodiscard]] Index chunk_begin(std::size_t chunk) const { return chunk_begin_[chunk]; }
+  [[nodiscard]] std::span<const Index> chunk_begins() const { return chunk_begin_; }
 
   [[nodiscard]] std::span<const Share> of_rod(Index rod) const {
     const auto r = static_cast<std::size_t>(rod);
@@ -54,17 +55,26 @@ class PairForces {
   }
 
  private:
+  /// Holds consecutive chunks of contacts.
+  struct Chunks {
+    std::size_t begin, end;
+  };
+
   void count_forces(const ContactSet& contacts);
-  void count_shares(const ContactSet& contacts, std::size_t nodes);
-  void place_shares(const ContactSet& contacts);
+  [[nodiscard]] Chunks chunks_of(int dealer) const;
+  void count_shares(const ContactSet& contacts, int dealer, std::size_t nodes);
+  void begin_shares(std::size_t nodes);
+  void place_shares(const ContactSet& contacts, int dealer);
   void sort_shares();
 
   std::vector<PairForce> forces_;
   std::vector<Index> chunk_begin_;
   std::vector<Share> shares_;  // rod after rod
   std::vector<Index> begin_;   // of each rod's shares
-  std::vector<Index> count_;   // of each rod's shares
-  std::vector<Index> rank_;    // of each share among its rod's, as they came
+  // Of every dealer (a thread, with a share of the chunks), by rod: how many shares it deals, then where the
+  // next one goes.
+  std::vector<std::vector<Index>> next_;
+  std::vector<Index> part_begin_;  // of the shares of each thread's part of the rods
 };
 
 }  // namespace fiberfate

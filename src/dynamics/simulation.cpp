@@ -133,16 +133,17 @@ StepReport Simulation::advance(double until) {
 double Simulation::Parts::try_step(const Flow& now, double step) {
   find_contacts(now, step);
   extrapolate_to_middle(state, now, step, middle);
-  velocity.assign(state.relative_velocity.begin(), state.relative_velocity.end());
+  std::span<const Vec3> last = state.relative_velocity;
   for (int sweep = 0; sweep < parameters.contact.sweeps; ++sweep) {
     {
       const PhaseTimer timer(times, Phase::loads);
-      loads.evaluate(search.contacts(), {state.position, velocity, now, step});
+      loads.evaluate(search.contacts(), {state.position, last, now, step});
     }
     const PhaseTimer timer(times, Phase::solve);
     const ChainProblem problem{state, middle,         loads.walls(), now,
-                               step,  &loads.pairs(), velocity,      parameters.drag == DragLaw::ellipsoid};
+                               step,  &loads.pairs(), last,          parameters.drag == DragLaw::ellipsoid};
     solver.solve(problem, {velocity, tension});
+    last = velocity;
   }
   return displacement_error(state, step, error_by_fiber, velocity);
 }

@@ -58,18 +58,23 @@ void NeighbourList::build(const FiberState& state, double range, const std::vect
                                  longest * longest / range_);
   const Index bins = grid_.bin_count();
   chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
-  std::vector<PairCollector> collectors(static_cast<std::size_t>(thread_count()), {state, *this, widest});
-  parallel_for(static_cast<std::ptrdiff_t>(chunks_.size()), [&](std::ptrdiff_t c) {
+  chunk_entries_.resize(chunks_.size() + 1);
+  for (std::size_t c = 0; c < chunk_entries_.size(); ++c)
+    chunk_entries_[c] = grid_.first_entry(std::min(static_cast<Index>(c) * chunk_size, bins));
+  candidates_.fit();
+  parallel_for_weighted(chunk_entries_, [&](std::ptrdiff_t c) {
     const Index begin = static_cast<Index>(c) * chunk_size;
-    collectors[static_cast<std::size_t>(omp_get_thread_num())].run(begin, std::min(begin + chunk_size, bins),
-                                                                   chunks_[static_cast<std::size_t>(c)]);
+    PairCollector(state, *this, widest, candidates_.mine())
+        .run(begin, std::min(begin + chunk_size, bins), chunks_[static_cast<std::size_t>(c)]);
   });
 }
 
 void NeighbourList::carry(const Flow& flow, double step, std::span<const double> travelled) {
   const double share = strain_share(flow, step);
-  for (std::size_t r = 0; r < travel_.size(); ++r)
+  parallel_for(static_cast<std::ptrdiff_t>(travel_.size()), [&](std::ptrdiff_t rod) {
+    const auto r = static_cast<std::size_t>(rod);
     travel_[r] = (travel_[r] + round_up(travelled[r] + share)) * (1 + 2e-7F);
+  });
   Cell fluid;
   fluid.lattice = deformation_;
   deform(fluid, flow.gradient, step);
@@ -88,7 +93,7 @@ bool NeighbourList::look_ahead(const FiberState& state, const Flow& flow, double
   const double share = strain_share(flow, step);
   margin_.resize(nodes, 0.0);
   origin_.resize(nodes, Vec3::Zero());
-  parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
+  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
     if (!look_ahead(state, static_cast<Index>(f), step, share, shrunk))
       has_left_[static_cast<std::size_t>(f)] = 1;
   });

@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "base/threads.hpp"
 #include "fibers/flow.hpp"
+#include "fibers/pair_candidates.hpp"
 #include "fibers/rod_grid.hpp"
 #include "fibers/rod_pairs.hpp"
 #include "fibers/state.hpp"
@@ -33,6 +35,8 @@ class NeighbourList {
 
   /// Pairs in chunks, each to be worked on by one thread at a time.
   [[nodiscard]] std::span<RodPairs> chunks() { return chunks_; }
+  /// Rods in the chunks before each, to share them among threads.
+  [[nodiscard]] std::span<const Index> chunk_entries() const { return chunk_entries_; }
   /// Travel of every rod since the list was made, its share of the strain included, m; see RodPairs::wake.
   [[nodiscard]] std::span<const float> travel() const { return travel_; }
   /// Travel of every rod in the coming step, its share of the strain included, m.
@@ -66,6 +70,8 @@ class NeighbourList {
 
   RodGrid grid_;
   std::vector<RodPairs> chunks_;
+  std::vector<Index> chunk_entries_;  // of the grid, before each chunk's
+  PerThread<PairCandidates> candidates_;
   std::vector<Index> fiber_of_;
   std::vector<std::uint8_t> place_;  // of every rod in its fiber: small enough to stay in the cache
   std::vector<double> margin_;

@@ -21,12 +21,12 @@ void PairCollector::run(Index begin, Index end, RodPairs& pairs) {
     const Index first = list_.grid_.first_entry(bin);
     const Index last = list_.grid_.first_entry(bin + 1);
     if (first == last) continue;
-    list_.grid_.runs_ahead(bin, widest_, runs_);
+    list_.grid_.runs_ahead(bin, widest_, candidates_.runs);
     std::size_t room = 0;
-    for (const RodGrid::Run& run : runs_) room += static_cast<std::size_t>(run.end - run.begin);
-    if (candidates_.size() < room + cull_overrun) {
-      candidates_.resize(2 * room + cull_overrun);
-      squared_distances_.resize(candidates_.size());
+    for (const RodGrid::Run& run : candidates_.runs) room += static_cast<std::size_t>(run.end - run.begin);
+    if (candidates_.entries.size() < room + cull_overrun) {
+      candidates_.entries.resize(2 * room + cull_overrun);
+      candidates_.squared_distances.resize(candidates_.entries.size());
     }
     for (Index entry = first; entry < last; ++entry) collect(entry);
   }
@@ -68,15 +68,15 @@ void PairCollector::collect(Index entry) {
     query.z = grid.z[e] - static_cast<float>(apart.z());
   };
   stand_at(shift);
-  for (std::size_t r = 0; r < runs_.size(); ++r) {
-    if (runs_[r].shift != shift) {
+  for (std::size_t r = 0; r < candidates_.runs.size(); ++r) {
+    if (candidates_.runs[r].shift != shift) {
       measure(entry, query, shift);
-      shift = runs_[r].shift;
+      shift = candidates_.runs[r].shift;
       stand_at(shift);
     }
     // The first run begins with the entry's own bin, whose earlier entries have met this one.
-    const Index begin = r == 0 ? entry + 1 : runs_[r].begin;
-    count_ += cull_rods(query, begin, runs_[r].end, candidates_.data() + count_);
+    const Index begin = r == 0 ? entry + 1 : candidates_.runs[r].begin;
+    count_ += cull_rods(query, begin, candidates_.runs[r].end, candidates_.entries.data() + count_);
   }
   measure(entry, query, shift);
 }
@@ -85,10 +85,10 @@ void PairCollector::collect(Index entry) {
 void PairCollector::measure(Index entry, RodCull& query, const IntVec3& shift) {
   if (count_ == 0) return;
   const int near =
-      keep_near_rods(query, candidates_.data(), count_, candidates_.data(), squared_distances_.data());
+      keep_near_rods(query, candidates_.entries.data(), count_, candidates_.entries.data(), candidates_.squared_distances.data());
   for (int i = 0; i < near; ++i)
-    consider(entry, candidates_[static_cast<std::size_t>(i)], shift,
-             squared_distances_[static_cast<std::size_t>(i)]);
+    consider(entry, candidates_.entries[static_cast<std::size_t>(i)], shift,
+             candidates_.squared_distances[static_cast<std::size_t>(i)]);
   count_ = 0;
 }
 

@@ -1,8 +1,6 @@
 // Collects the pairs of one chunk of the neighbour list.
 #pragma once
 
-#include <vector>
-
 #include "fibers/neighbour_list.hpp"
 #include "fibers/rod_cull.hpp"
 
@@ -12,8 +10,8 @@ namespace fiberfate {
 /// the rod, then the rods against each other, both in single precision and never too many.
 class PairCollector {
  public:
-  PairCollector(const FiberState& state, const NeighbourList& list, double widest)
-      : state_(state), list_(list), widest_(widest) {}
+  PairCollector(const FiberState& state, const NeighbourList& list, double widest, PairCandidates& candidates)
+      : state_(state), list_(list), widest_(widest), candidates_(candidates) {}
 
   void run(Index begin, Index end, RodPairs& pairs);
 
@@ -27,10 +25,8 @@ class PairCollector {
   const FiberState& state_;
   const NeighbourList& list_;
   double widest_;
+  PairCandidates& candidates_;
   RodPairs* pairs_ = nullptr;
-  std::vector<RodGrid::Run> runs_;
-  std::vector<Index> candidates_;
-  std::vector<float> squared_distances_;
   int count_ = 0;
 };
 

@@ -41,9 +41,10 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
     array->resize(rods + padding, 0.0F);
   rod.resize(rods);
   image.resize(rods);
-  parallel_for(static_cast<std::ptrdiff_t>(rods), [&](std::ptrdiff_t i) {
-    const BinnedRod& one = unsorted_[static_cast<std::size_t>(i)];
-    const auto e = static_cast<std::size_t>(place_[static_cast<std::size_t>(i)]);
+  // Entry after entry: threads that wrote into one another's cache lines would wait for them.
+  parallel_for(static_cast<std::ptrdiff_t>(rods), [&](std::ptrdiff_t entry) {
+    const auto e = static_cast<std::size_t>(entry);
+    const BinnedRod& one = unsorted_[static_cast<std::size_t>(source_[e])];
     x[e] = one.midpoint[0];
     y[e] = one.midpoint[1];
     z[e] = one.midpoint[2];
@@ -59,7 +60,7 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
 
 void RodGrid::bin_rods(const FiberState& state) {
   unsorted_.resize(static_cast<std::size_t>(state.rod_count()));
-  parallel_for(state.fiber_count(), [&](std::ptrdiff_t f) {
+  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
     const Index fiber = static_cast<Index>(f);
     for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
       const auto n = static_cast<std::size_t>(k);
@@ -87,16 +88,18 @@ void RodGrid::bin_rods(const FiberState& state) {
   });
 }
 
-/// Finds every rod's place: by bin, then by rod.
+/// Finds the rod of every entry: by bin, then by rod.
 void RodGrid::sort_bins() {
   begin_.assign(static_cast<std::size_t>(bins_[0]) * static_cast<std::size_t>(bins_[1] * bins_[2]) + 1, 0);
-  place_.resize(unsorted_.size());
+  source_.resize(unsorted_.size());
   // A bin's first entry is counted two bins further on, so that, advanced in placing, it ends up in place.
   begin_.push_back(0);
   for (const BinnedRod& one : unsorted_) ++begin_[static_cast<std::size_t>(one.bin) + 2];
   for (std::size_t b = 2; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
-  for (std::size_t i = 0; i < unsorted_.size(); ++i)
-    place_[i] = begin_[static_cast<std::size_t>(unsorted_[i].bin) + 1]++;
+  for (std::size_t i = 0; i < unsorted_.size(); ++i) {
+    const auto entry = begin_[static_cast<std::size_t>(unsorted_[i].bin) + 1]++;
+    source_[static_cast<std::size_t>(entry)] = static_cast<Index>(i);
+  }
   begin_.pop_back();
 }
 

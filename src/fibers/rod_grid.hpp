@@ -73,7 +73,7 @@ class RodGrid {
   Mat3 to_fraction_ = Mat3::Identity();
   std::vector<Index> begin_;  // of each bin in the entries
   std::vector<BinnedRod> unsorted_;
-  std::vector<Index> place_;  // of the unsorted rods in the entries
+  std::vector<Index> source_;  // of the entries among the unsorted rods
 };
 
 }  // namespace fiberfate

@@ -1,0 +1,17 @@
+// Holds what the collection of one rod's pairs works on, so that its memory is kept.
+#pragma once
+
+#include <vector>
+
+#include "fibers/rod_grid.hpp"
+
+namespace fiberfate {
+
+/// Holds the entries of a grid that may be near a rod.
+struct PairCandidates {
+  std::vector<RodGrid::Run> runs;
+  std::vector<Index> entries;
+  std::vector<float> squared_distances;  ///< of entries kept, m²
+};
+
+}  // namespace fiberfate
