@@ -22,16 +22,23 @@ Mat3 flow_map(const Flow& flow, double step) {
 
 /// Gives every rod its length back, along its present direction, about the fiber's centroid.
 void restore_lengths(FiberState& state, Index fiber) {
-  const Vec3 centroid = fiber_centroid(state, fiber);
   const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
   const auto end = static_cast<std::size_t>(state.end_node(fiber));
   Vec3 moved = state.position[begin];
+  Vec3 drift = Vec3::Zero();  // of a node from where it was
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
   for (std::size_t n = begin; n + 1 < end; ++n) {
     const Vec3 axis = state.position[n + 1] - moved;
+    const double stretch = state.rod_length[n] / axis.norm() - 1;
     moved = state.position[n + 1];
-    state.position[n + 1] = state.position[n] + axis * (state.rod_length[n] / axis.norm());
+    const Vec3 before = drift;
+    drift += stretch * axis;
+    state.position[n + 1] += drift;
+    sum += 0.5 * state.rod_length[n] * (before + drift);
+    length += state.rod_length[n];
   }
-  const Vec3 shift = centroid - fiber_centroid(state, fiber);
+  const Vec3 shift = -sum / length;
   for (std::size_t n = begin; n < end; ++n) state.position[n] += shift;
 }
 
