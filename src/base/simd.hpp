@@ -110,6 +110,29 @@ static inline __attribute__((always_inline)) std::uint32_t to_bits(const Mask& m
 #endif
 }
 
+/// Writes the doubles whose bits are set, one after the other; up to eight may be overwritten.
+static inline __attribute__((always_inline)) void write_selected(double* to, const Pack& from,
+                                                                 std::uint32_t bits) {
+#if defined(__AVX512F__)
+  _mm512_storeu_pd(to,
+                   _mm512_maskz_compress_pd(static_cast<__mmask8>(bits), reinterpret_cast<__m512d>(from)));
+#else
+  for (; bits != 0; bits &= bits - 1) *to++ = from[__builtin_ctz(bits)];
+#endif
+}
+
+/// Writes the indices whose bits are set, one after the other; up to eight may be overwritten.
+static inline __attribute__((always_inline)) void write_selected(std::int32_t* to, const IndexPack& from,
+                                                                 std::uint32_t bits) {
+#if defined(__AVX512VL__)
+  const __m256i packed =
+      _mm256_maskz_compress_epi32(static_cast<__mmask8>(bits), reinterpret_cast<__m256i>(from));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), packed);
+#else
+  for (; bits != 0; bits &= bits - 1) *to++ = from[__builtin_ctz(bits)];
+#endif
+}
+
 /// Sixteen floats that compute side by side, for culling.
 inline constexpr int float_lanes = 16;
 typedef float Floats __attribute__((vector_size(64)));

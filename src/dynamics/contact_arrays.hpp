@@ -21,4 +21,15 @@ struct ContactArrays {
   const double* distance;
 };
 
+/// Points to where the next contact goes in the arrays of ContactChunk.
+struct ContactColumns {
+  Index* first;
+  Index* second;
+  std::int32_t* image;
+  double* s;
+  double* t;
+  double* normal[3];
+  double* distance;
+};
+
 }  // namespace fiberfate

@@ -34,57 +34,54 @@ class ChunkSearch {
 
  private:
   void evaluate(RodPairs& pairs, std::span<const Index> which, ContactChunk& contacts) {
-    const SegmentQuery query{pairs.first.data(),         pairs.second.data(),
-                             pairs.image.data(),         state_.position[0].data(),
-                             state_.cell.lattice.data(), neighbours_.travel().data(),
-                             neighbours_.ahead().data(), range_,
-                             neighbours_.widest_gap()};
+    const SegmentQuery query{
+        pairs.first.data(),         pairs.second.data(),        pairs.image.data(),
+        state_.position[0].data(),  state_.cell.lattice.data(), neighbours_.travel().data(),
+        neighbours_.ahead().data(), neighbours_.part().data(),  range_,
+        neighbours_.widest_gap()};
     find_segment_distances(query, which.data(), static_cast<int>(which.size()), block_);
     for (std::size_t i = 0; i < which.size(); ++i)
       pairs.wake[static_cast<std::size_t>(which[i])] = block_.wake[i];
-    for (std::size_t first = 0; first < which.size(); first += 8) {
-      for (unsigned near = block_.near[first / 8]; near != 0; near &= near - 1) {
-        const std::size_t i = first + static_cast<std::size_t>(__builtin_ctz(near));
-        if (i < which.size()) keep(pairs, static_cast<std::size_t>(which[i]), i, contacts);
+    for (int first = 0; first < static_cast<int>(which.size()); first += 8) {
+      std::uint8_t& near = block_.near[first / 8];
+      for (unsigned special = near & block_.special[first / 8]; special != 0; special &= special - 1) {
+        const int lane = __builtin_ctz(special);
+        if (!settle(first + lane)) near = static_cast<std::uint8_t>(near & ~(1U << lane));
       }
+    }
+    const int before = contacts.count;
+    contacts.add(block_, static_cast<int>(which.size()));
+    if (state_.materials.size() > 1) name_materials(contacts, before);
+  }
+
+  /// Tells whether a special pair is a contact; axes that cross get their normal for separation.
+  [[nodiscard]] bool settle(int i) {
+    const Index first = block_.first[i];
+    const Index second = block_.second[i];
+    if (second == first + 2 && block_.image[i] == 0 && is_exempt(second)) return false;
+    if (block_.distance[i] > 0) return true;
+    const Vec3 normal = normal_across({first, second});
+    for (int d = 0; d < 3; ++d) block_.separation[d][i] = normal[d];
+    return true;
+  }
+
+  void name_materials(ContactChunk& contacts, int begin) const {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(contacts.count); ++i) {
+      contacts.first_material[i] = material_of(contacts.first[i]);
+      contacts.second_material[i] = material_of(contacts.second[i]);
     }
   }
 
-  void keep(const RodPairs& pairs, std::size_t pair, std::size_t i, ContactChunk& contacts) const {
-    const Index first = pairs.first[pair];
-    const Index second = pairs.second[pair];
-    if (second == first + 2 && pairs.image[pair] == 0 && is_exempt(second)) return;
-    const Vec3 separation(block_.separation[0][i], block_.separation[1][i], block_.separation[2][i]);
-    if (belongs_to_neighbour(first, block_.s[i], -separation)) return;
-    if (belongs_to_neighbour(second, block_.t[i], separation)) return;
-    contacts.add({first, second, block_.s[i], block_.t[i],
-                  normal({first, second}, separation, block_.distance[i]), block_.distance[i],
-                  pairs.image[pair], material_of(first), material_of(second)});
-  }
-
-  // Which fiber a rod belongs to lies far away in memory, and few contacts need it.
   [[nodiscard]] std::uint16_t material_of(Index rod) const {
-    if (state_.materials.size() == 1) return 0;
     return state_.material_id[static_cast<std::size_t>(neighbours_.fiber_of(rod))];
   }
   [[nodiscard]] bool is_exempt(Index rod) const {
-    return neighbours_.begins_fiber(rod) &&
+    return (neighbours_.part()[static_cast<std::size_t>(rod)] & first_of_fiber) != 0 &&
            state_.touches_previous[static_cast<std::size_t>(neighbours_.fiber_of(rod))] != 0;
   }
 
-  /// Tells whether a contact at the end of a rod is seen by the rod beyond the hinge as well, and belongs to
-  /// that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
-  /// other rod.
-  [[nodiscard]] bool belongs_to_neighbour(Index rod, double place, const Vec3& other) const {
-    if (place <= 0) return !neighbours_.begins_fiber(rod);
-    if (place < 1 || neighbours_.ends_fiber(rod)) return false;
-    const auto n = static_cast<std::size_t>(rod);
-    return (state_.position[n + 2] - state_.position[n + 1]).dot(other) > 0;
-  }
-
-  /// Unit vector from the second rod to the first; axes that cross exactly are pushed apart across both.
-  [[nodiscard]] Vec3 normal(const std::array<Index, 2>& rods, const Vec3& separation, double distance) const {
-    if (distance > 0) return separation / distance;
+  /// Unit vector along which axes that cross exactly are pushed apart: across both.
+  [[nodiscard]] Vec3 normal_across(const std::array<Index, 2>& rods) const {
     const auto axis = [this](Index rod) -> Vec3 {
       const auto n = static_cast<std::size_t>(rod);
       return state_.position[n + 1] - state_.position[n];

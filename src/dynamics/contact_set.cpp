@@ -3,7 +3,13 @@
 
 #include <algorithm>
 
+#include "base/kernels.hpp"
+#include "dynamics/contact_arrays.hpp"
+
 namespace fiberfate {
+
+FIBERFATE_DECLARE_KERNEL(int add_contacts(const SegmentBlock& block, int count, const ContactColumns& to))
+
 namespace {
 
 constexpr int pack_size = 8;
@@ -32,6 +38,15 @@ void ContactChunk::add(const Contact& contact) {
   normal_y[i] = contact.normal.y();
   normal_z[i] = contact.normal.z();
   distance[i] = contact.distance;
+}
+
+void ContactChunk::add(const SegmentBlock& block, int pairs) {
+  const ContactColumns to = {
+      first.data() + count,   second.data() + count,
+      image.data() + count,   s.data() + count,
+      t.data() + count,       {normal_x.data() + count, normal_y.data() + count, normal_z.data() + count},
+      distance.data() + count};
+  count += FIBERFATE_KERNEL(add_contacts)(block, pairs, to);
 }
 
 Contact ContactChunk::at(int number) const {

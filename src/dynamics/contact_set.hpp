@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "fibers/segment_block.hpp"
 
 namespace fiberfate {
 
@@ -34,6 +35,9 @@ struct ContactChunk {
   void reserve(int contacts);
   /// Adds a contact; there must be room.
   void add(const Contact& contact);
+  /// Adds those of `pairs` measured pairs that are near; axes that cross have their normal for separation,
+  /// and the block leaves a contact's materials to be filled in. There must be room.
+  void add(const SegmentBlock& block, int pairs);
   [[nodiscard]] Contact at(int i) const;
 };
 

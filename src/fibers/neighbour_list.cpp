@@ -6,6 +6,7 @@
 
 #include "base/threads.hpp"
 #include "fibers/pair_collector.hpp"
+#include "fibers/segment_block.hpp"
 
 namespace fiberfate {
 namespace {
@@ -28,15 +29,15 @@ float round_up(double length) {
 
 double NeighbourList::name_fibers(const FiberState& state) {
   fiber_of_.resize(static_cast<std::size_t>(state.node_count()));
-  place_.assign(fiber_of_.size(), 0);
+  part_.assign(fiber_of_.size(), 0);
   double longest = 0;
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
     for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
       fiber_of_[static_cast<std::size_t>(k)] = fiber;
       longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
     }
-    place_[static_cast<std::size_t>(state.begin_node(fiber))] |= first_rod;
-    place_[static_cast<std::size_t>(state.end_node(fiber)) - 2] |= last_rod;
+    part_[static_cast<std::size_t>(state.begin_node(fiber))] |= first_of_fiber;
+    part_[static_cast<std::size_t>(state.end_node(fiber)) - 2] |= last_of_fiber;
   }
   return longest;
 }

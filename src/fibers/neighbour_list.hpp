@@ -47,13 +47,8 @@ class NeighbourList {
   /// Sum of both, m.
   [[nodiscard]] std::span<const float> reach() const { return reach_; }
   [[nodiscard]] Index fiber_of(Index rod) const { return fiber_of_[static_cast<std::size_t>(rod)]; }
-  /// Tells whether a rod is the first, or the last, of its fiber.
-  [[nodiscard]] bool begins_fiber(Index rod) const {
-    return (place_[static_cast<std::size_t>(rod)] & first_rod) != 0;
-  }
-  [[nodiscard]] bool ends_fiber(Index rod) const {
-    return (place_[static_cast<std::size_t>(rod)] & last_rod) != 0;
-  }
+  /// Part of its fiber that every rod is: first_of_fiber, last_of_fiber (fibers/segment_block.hpp).
+  [[nodiscard]] std::span<const std::uint8_t> part() const { return part_; }
   [[nodiscard]] std::size_t pair_count() const;
 
  private:
@@ -65,15 +60,12 @@ class NeighbourList {
                                 double shrunk);
   double name_fibers(const FiberState& state);
 
-  static constexpr std::uint8_t first_rod = 1;
-  static constexpr std::uint8_t last_rod = 2;
-
   RodGrid grid_;
   std::vector<RodPairs> chunks_;
   std::vector<Index> chunk_entries_;  // of the grid, before each chunk's
   PerThread<PairCandidates> candidates_;
   std::vector<Index> fiber_of_;
-  std::vector<std::uint8_t> place_;  // of every rod in its fiber: small enough to stay in the cache
+  std::vector<std::uint8_t> part_;  // of its fiber that every rod is: small enough to stay in the cache
   std::vector<double> margin_;
   std::vector<float> travel_;
   std::vector<float> ahead_;

@@ -13,6 +13,10 @@ struct FiberState;
 /// closest to round-off, and the middle of the overlap is taken.
 inline constexpr double parallel_sine2 = 1e-12;
 
+/// Tells which part of its fiber a rod is: bits.
+inline constexpr std::uint8_t first_of_fiber = 1;
+inline constexpr std::uint8_t last_of_fiber = 2;
+
 /// Receives the closest points of up to `capacity` pairs. Plain doubles, because kernels of several
 /// instruction sets share it.
 struct SegmentBlock {
@@ -22,7 +26,14 @@ struct SegmentBlock {
   alignas(64) double separation[3][capacity];  ///< from the second rod to the first, m
   alignas(64) double distance[capacity];       ///< m
   alignas(64) float wake[capacity];            ///< new value of RodPairs::wake, m
-  std::uint8_t near[capacity / 8];  ///< bits of the pairs that may come within range in the coming step
+  alignas(32) Index first[capacity];           ///< rods
+  alignas(32) Index second[capacity];
+  alignas(32) std::int32_t image[capacity];
+  /// Bits of the pairs that may come within range in the coming step; where two rods of a hinge may both
+  /// touch a third one there, those of the one that does.
+  std::uint8_t near[capacity / 8];
+  std::uint8_t
+      special[capacity / 8];  ///< bits of pairs whose rods may just have broken apart, or whose axes cross
 };
 
 /// Names pairs to be measured: entries of the arrays of RodPairs, and where their rods are.
@@ -30,17 +41,17 @@ struct SegmentQuery {
   const Index* first;
   const Index* second;
   const std::int32_t* image;
-  const double* position;  ///< of the nodes, three doubles each
-  const double* lattice;   ///< by columns
-  const float* travel;     ///< of every rod (NeighbourList::travel), m
-  const float* ahead;      ///< of every rod (NeighbourList::ahead), m
-  double range;            ///< m
-  double widest_gap;       ///< NeighbourList::widest_gap, m
+  const double* position;    ///< of the nodes, three doubles each
+  const double* lattice;     ///< by columns
+  const float* travel;       ///< of every rod (NeighbourList::travel), m
+  const float* ahead;        ///< of every rod (NeighbourList::ahead), m
+  const std::uint8_t* part;  ///< of every rod: first_of_fiber, last_of_fiber
+  double range;              ///< m
+  double widest_gap;         ///< NeighbourList::widest_gap, m
 };
 
-/// Finds s, t, separation, distance, wake and nearness of the pairs numbered which[0 … count), count <=
-/// capacity, with the kernel of this processor; closest_points() is its specification. `which` is padded to a
-/// multiple of eight.
+/// Fills the block for the pairs numbered which[0 … count), count <= capacity, with the kernel of this
+/// processor; closest_points() is its specification. `which` is padded to a multiple of eight.
 void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block);
 
 /// Writes the numbers of those of `count` pairs whose rods may have come near, reach[first] + reach[second]

@@ -19,33 +19,63 @@ static inline __attribute__((always_inline)) Triple shifts_of(const SegmentQuery
 /// Holds eight pairs: r = x1 − x2 from the begin of the second rod to that of the first, u and v along them.
 struct PairPack {
   Triple r, u, v;
-  alignas(32) Index first[lanes];
-  alignas(32) Index second[lanes];
+  const double* begin[lanes];
+  const double* other_begin[lanes];
 };
 
 static inline __attribute__((always_inline)) void gather_pairs(const SegmentQuery& query, const Index* which,
-                                                               PairPack& pairs) {
-  const double* begin[lanes];
-  const double* other_begin[lanes];
+                                                               SegmentBlock& block, int at, PairPack& pairs) {
   const double* end[lanes];
   const double* other_end[lanes];
   std::int32_t images = 0;
   for (int lane = 0; lane < lanes; ++lane) {
     const Index pair = which[lane];
-    pairs.first[lane] = query.first[pair];
-    pairs.second[lane] = query.second[pair];
-    begin[lane] = query.position + 3 * static_cast<long>(pairs.first[lane]);
-    other_begin[lane] = query.position + 3 * static_cast<long>(pairs.second[lane]);
-    end[lane] = begin[lane] + 3;
-    other_end[lane] = other_begin[lane] + 3;
+    block.first[at + lane] = query.first[pair];
+    block.second[at + lane] = query.second[pair];
+    block.image[at + lane] = query.image[pair];
+    pairs.begin[lane] = query.position + 3 * static_cast<long>(query.first[pair]);
+    pairs.other_begin[lane] = query.position + 3 * static_cast<long>(query.second[pair]);
+    end[lane] = pairs.begin[lane] + 3;
+    other_end[lane] = pairs.other_begin[lane] + 3;
     images |= query.image[pair];
   }
-  const Triple x = read_triples(begin);
-  const Triple y = read_triples(other_begin);
+  const Triple x = read_triples(pairs.begin);
+  const Triple y = read_triples(pairs.other_begin);
   pairs.u = read_triples(end) - x;
   pairs.v = read_triples(other_end) - y;
   pairs.r = x - y;
   if (images != 0) pairs.r = pairs.r - shifts_of(query, which);
+}
+
+/// Tells of which pairs the contact at a rod's end is seen by the rod beyond the hinge as well, and belongs
+/// to that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
+/// other rod, `begin` are the rods' first nodes.
+static inline __attribute__((always_inline)) std::uint32_t belong_to_neighbour(
+    const SegmentQuery& query, const Index* rods, const double* const* begin, const Pack& place,
+    const Triple& other, std::uint32_t asked) {
+  const std::uint32_t at_begin = to_bits(place <= 0.0) & asked;
+  const std::uint32_t at_end = to_bits(place >= 1.0) & asked;
+  if ((at_begin | at_end) == 0) return 0;
+  const double* end[lanes];
+  const double* next[lanes];
+  std::uint32_t begins = 0, ends = 0;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const std::uint32_t part = query.part[rods[lane]];
+    begins |= (part & first_of_fiber) << lane;
+    ends |= ((part & last_of_fiber) / last_of_fiber) << lane;
+    end[lane] = begin[lane] + 3;
+    next[lane] = end[lane] + ((part & last_of_fiber) != 0 ? 0 : 3);
+  }
+  const Mask is_ahead = dot(read_triples(next) - read_triples(end), other) > 0.0;
+  return (at_begin & ~begins) | (at_end & ~at_begin & ~ends & to_bits(is_ahead));
+}
+
+/// Marks pairs of rods between whose numbers one node lies, so that they may just have broken apart, and
+/// those whose axes cross, which have no normal.
+static inline __attribute__((always_inline)) std::uint32_t special_pairs(const SegmentBlock& block, int at) {
+  const IndexPack between = read_indices(block.second + at) - read_indices(block.first + at) - 2;
+  const IndexPack is_own = (between | read_indices(block.image + at)) == 0;
+  return to_bits(load(block.distance + at) <= 0.0) | to_bits(__builtin_convertvector(is_own, Mask));
 }
 
 }  // namespace
@@ -67,7 +97,7 @@ int find_awake_pairs(const Index* first, const Index* second, const float* wake,
 void find_segment_distances(const SegmentQuery& query, const Index* which, int count, SegmentBlock& block) {
   PairPack pairs;
   for (int i = 0; i < count; i += lanes) {
-    gather_pairs(query, which + i, pairs);
+    gather_pairs(query, which + i, block, i, pairs);
     const Triple &r = pairs.r, &u = pairs.u, &v = pairs.v;
     const Pack uu = dot(u, u);
     const Pack vv = dot(v, v);
@@ -97,14 +127,19 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     store(block.distance + i, distance);
 
     const Pack gap = distance - query.range;
-    const IndexPack first = read_indices(pairs.first);
-    const IndexPack second = read_indices(pairs.second);
+    const IndexPack first = read_indices(block.first + i);
+    const IndexPack second = read_indices(block.second + i);
     const HalfFloats travel = gather(query.travel, first) + gather(query.travel, second);
     const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
     const Pack asleep = clamp(gap, 0, query.widest_gap) * (1 - 1e-6);
     *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
     const Mask is_near = gap < __builtin_convertvector(ahead, Pack);
-    block.near[i / lanes] = static_cast<std::uint8_t>(to_bits(is_near));
+    std::uint32_t near = to_bits(is_near) & first_bits(count - i);
+    near &=
+        ~belong_to_neighbour(query, block.first + i, pairs.begin, s, {-apart.x, -apart.y, -apart.z}, near);
+    near &= ~belong_to_neighbour(query, block.second + i, pairs.other_begin, t, apart, near);
+    block.near[i / lanes] = static_cast<std::uint8_t>(near);
+    block.special[i / lanes] = static_cast<std::uint8_t>(special_pairs(block, i));
   }
 }
 
