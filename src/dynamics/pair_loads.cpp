@@ -13,7 +13,7 @@ FIBERFATE_DECLARE_KERNEL(void add_pair_loads(const PairLoadQuery& query, const C
 
 namespace {
 
-constexpr int lanes = 8;
+constexpr std::size_t lanes = 8;
 
 /// Asks the memory for a force long before it is read: forces lie far apart.
 void fetch(const PairForce& force) {
@@ -26,21 +26,28 @@ void fetch(const PairForce& force) {
 
 void PairSlots::collect(const PairForces& pairs, const ChainGroup& group) {
   const auto forces = pairs.forces();
-  numbers_.clear();
   ends_.clear();
+  std::size_t begin = 0;
   for (int k = 0; k + 1 < group.nodes; ++k) {
-    const std::size_t begin = numbers_.size();
-    for (int lane = 0; lane < lanes; ++lane) {
-      if (k >= group.used[lane]) continue;
-      std::size_t slot = begin;
-      for (const PairForces::Share& share : pairs.of_rod(group.first[lane] + k)) {
-        if (slot == numbers_.size()) numbers_.resize(slot + lanes, -1);
-        numbers_[slot + static_cast<std::size_t>(lane)] = share.number;
-        fetch(forces[static_cast<std::size_t>(share.number / 2)]);
+    std::array<std::span<const PairForces::Share>, lanes> shares;
+    std::size_t most = 0;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (k < group.used[lane]) shares[lane] = pairs.of_rod(group.first[lane] + k);
+      most = std::max(most, shares[lane].size());
+    }
+    if (numbers_.size() < begin + most * lanes) numbers_.resize(2 * (begin + most * lanes));
+    Index* const slots = numbers_.data() + begin;
+    std::fill_n(slots, most * lanes, -1);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      Index* slot = slots + lane;
+      for (const PairForces::Share& share : shares[lane]) {
+        *slot = share.number;
         slot += lanes;
+        fetch(forces[static_cast<std::size_t>(share.number / 2)]);
       }
     }
-    ends_.push_back(static_cast<int>(numbers_.size() / lanes));
+    begin += most * lanes;
+    ends_.push_back(static_cast<int>(begin / lanes));
   }
 }
 
