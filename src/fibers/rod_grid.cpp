@@ -12,6 +12,11 @@ namespace {
 // Bins are not made finer than this many per rod: empty bins cost time too.
 constexpr double bins_per_rod = 4.0;
 
+// Lattice directions of the grid, whose bins are numbered with the first one slowest: the gradient direction
+// of a shear, along which fibers soon extend least, so that threads, which share the bins by number, meet few
+// of each other's fibers; the flow direction last, in which the rods of a fiber follow one another.
+constexpr std::array<int, 3> direction = {1, 2, 0};
+
 /// Holds a bin index wrapped into the grid and the image it was wrapped by.
 struct WrappedBin {
   int bin;
@@ -30,7 +35,7 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
   to_fraction_ = state.cell.lattice.inverse();
   const double most = std::max(1.0, 2 * std::cbrt(bins_per_rod * state.rod_count()));
   for (std::size_t i = 0; i < 3; ++i) {
-    height_[i] = state.cell.height(static_cast<int>(i));
+    height_[i] = state.cell.height(direction[i]);
     bins_[i] = std::max(1, static_cast<int>(std::min(std::floor(height_[i] / bin_width), most)));
   }
 
@@ -107,7 +112,7 @@ std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
   const Vec3 fraction = to_fraction_ * midpoint;
   std::array<int, 3> bin{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const double place = std::floor(fraction[static_cast<int>(i)] * bins_[i]);
+    const double place = std::floor(fraction[direction[i]] * bins_[i]);
     bin[i] = static_cast<int>(std::clamp(place, 0.0, bins_[i] - 1.0));
   }
   return bin;
@@ -120,7 +125,7 @@ RodGrid::Block RodGrid::block_around(Index bin, double reach) const {
     const int span = static_cast<int>(std::ceil(reach * bins_[i] / height_[i]));
     block.low[i] = block.centre[i] - span;
     block.high[i] = block.centre[i] + span;
-    if (boundary_[i] == Boundary::periodic) continue;
+    if (boundary_[static_cast<std::size_t>(direction[i])] == Boundary::periodic) continue;
     block.low[i] = std::max(block.low[i], 0);
     block.high[i] = std::min(block.high[i], bins_[i] - 1);
   }
@@ -149,9 +154,10 @@ void RodGrid::add_row(const Block& block, int i, int j, std::vector<Run>& runs) 
     const WrappedBin wrapped = wrap(third, bins_[2]);
     const int length = std::min(block.high[2] - third + 1, bins_[2] - wrapped.bin);
     const std::size_t from = bin_index({first.bin, second.bin, wrapped.bin});
-    const Run run{begin_[from],
-                  begin_[from + static_cast<std::size_t>(length)],
-                  {first.turns, second.turns, wrapped.turns}};
+    Run run{begin_[from], begin_[from + static_cast<std::size_t>(length)]};
+    run.shift[direction[0]] = first.turns;
+    run.shift[direction[1]] = second.turns;
+    run.shift[direction[2]] = wrapped.turns;
     if (run.end > run.begin) runs.push_back(run);
     third += length;
   }
