@@ -102,7 +102,7 @@ void ContactSearch::find(const FiberState& state, NeighbourList& neighbours, dou
   const auto chunks = neighbours.chunks();
   contacts_.resize(chunks.size());
   awake_.fit();
-  parallel_for_weighted(neighbours.chunk_entries(), [&](std::ptrdiff_t c) {
+  parallel_for_weighted(neighbours.pairs_before(), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
     ChunkSearch(state, neighbours, range).run(chunks[i], awake_.mine(), contacts_[i]);
   });

@@ -59,15 +59,17 @@ void NeighbourList::build(const FiberState& state, double range, const std::vect
                                  longest * longest / range_);
   const Index bins = grid_.bin_count();
   chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
-  chunk_entries_.resize(chunks_.size() + 1);
-  for (std::size_t c = 0; c < chunk_entries_.size(); ++c)
-    chunk_entries_[c] = grid_.first_entry(std::min(static_cast<Index>(c) * chunk_size, bins));
+  rods_before_.resize(chunks_.size() + 1);
+  for (std::size_t c = 0; c < rods_before_.size(); ++c)
+    rods_before_[c] = grid_.first_entry(std::min(static_cast<Index>(c) * chunk_size, bins));
   candidates_.fit();
-  parallel_for_weighted(chunk_entries_, [&](std::ptrdiff_t c) {
+  parallel_for_weighted(rods_before_, [&](std::ptrdiff_t c) {
     const Index begin = static_cast<Index>(c) * chunk_size;
     PairCollector(state, *this, widest, candidates_.mine())
         .run(begin, std::min(begin + chunk_size, bins), chunks_[static_cast<std::size_t>(c)]);
   });
+  pairs_before_.assign(1, 0);
+  for (const RodPairs& chunk : chunks_) pairs_before_.push_back(pairs_before_.back() + chunk.size());
 }
 
 void NeighbourList::carry(const Flow& flow, double step, std::span<const double> travelled) {
@@ -125,12 +127,6 @@ bool NeighbourList::look_ahead(const FiberState& state, Index fiber, double step
 
 double NeighbourList::strain_share(const Flow& flow, double step) const {
   return 0.5 * std::expm1(principal_rate(flow) * step) * farthest_;
-}
-
-std::size_t NeighbourList::pair_count() const {
-  std::size_t count = 0;
-  for (const RodPairs& chunk : chunks_) count += static_cast<std::size_t>(chunk.size());
-  return count;
 }
 
 }  // namespace fiberfate

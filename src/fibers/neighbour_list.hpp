@@ -35,8 +35,8 @@ class NeighbourList {
 
   /// Pairs in chunks, each to be worked on by one thread at a time.
   [[nodiscard]] std::span<RodPairs> chunks() { return chunks_; }
-  /// Rods in the chunks before each, to share them among threads.
-  [[nodiscard]] std::span<const Index> chunk_entries() const { return chunk_entries_; }
+  /// Pairs in all chunks before each, to share them among threads.
+  [[nodiscard]] std::span<const Index> pairs_before() const { return pairs_before_; }
   /// Travel of every rod since the list was made, its share of the strain included, m; see RodPairs::wake.
   [[nodiscard]] std::span<const float> travel() const { return travel_; }
   /// Travel of every rod in the coming step, its share of the strain included, m.
@@ -49,7 +49,6 @@ class NeighbourList {
   [[nodiscard]] Index fiber_of(Index rod) const { return fiber_of_[static_cast<std::size_t>(rod)]; }
   /// Part of its fiber that every rod is: first_of_fiber, last_of_fiber (fibers/segment_block.hpp).
   [[nodiscard]] std::span<const std::uint8_t> part() const { return part_; }
-  [[nodiscard]] std::size_t pair_count() const;
 
  private:
   friend class PairCollector;
@@ -62,7 +61,8 @@ class NeighbourList {
 
   RodGrid grid_;
   std::vector<RodPairs> chunks_;
-  std::vector<Index> chunk_entries_;  // of the grid, before each chunk's
+  std::vector<Index> rods_before_;         // each chunk, in all before it
+  std::vector<Index> pairs_before_ = {0};  // the same
   PerThread<PairCandidates> candidates_;
   std::vector<Index> fiber_of_;
   std::vector<std::uint8_t> part_;  // of its fiber that every rod is: small enough to stay in the cache

@@ -84,8 +84,8 @@ void PairCollector::collect(Index entry) {
 /// Measures the candidates found so far, which all stand in one image.
 void PairCollector::measure(Index entry, RodCull& query, const IntVec3& shift) {
   if (count_ == 0) return;
-  const int near =
-      keep_near_rods(query, candidates_.entries.data(), count_, candidates_.entries.data(), candidates_.squared_distances.data());
+  const int near = keep_near_rods(query, candidates_.entries.data(), count_, candidates_.entries.data(),
+                                  candidates_.squared_distances.data());
   for (int i = 0; i < near; ++i)
     consider(entry, candidates_.entries[static_cast<std::size_t>(i)], shift,
              candidates_.squared_distances[static_cast<std::size_t>(i)]);

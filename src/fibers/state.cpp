@@ -1,8 +1,10 @@
 // Builds, measures and splits fibers.
 #include "fibers/state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
@@ -121,6 +123,25 @@ void wrap_fibers(FiberState& state) {
     for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k)
       state.position[static_cast<std::size_t>(k)] -= shift;
   }
+}
+
+void number_by_height(FiberState& state) {
+  const Mat3 to_fraction = state.cell.lattice.inverse();
+  std::vector<std::pair<double, Index>> order;
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+    const double height = to_fraction.row(1).dot(fiber_centroid(state, fiber));
+    order.emplace_back(height - std::floor(height), fiber);
+  }
+  std::sort(order.begin(), order.end());
+  FiberState numbered;
+  numbered.materials = state.materials;
+  numbered.cell = state.cell;
+  for (const auto& [height, fiber] : order) {
+    const Vec3* nodes = state.position.data();
+    append_fiber(numbered, {{nodes + state.begin_node(fiber), nodes + state.end_node(fiber)},
+                            state.material_id[static_cast<std::size_t>(fiber)]});
+  }
+  state = std::move(numbered);
 }
 
 double volume_fraction(const FiberState& state) {

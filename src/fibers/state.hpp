@@ -89,6 +89,11 @@ void append_fiber(FiberState& state, const FiberShape& fiber);
 /// exactly.
 void split_fibers(FiberState& state, std::span<const Index> nodes);
 
+/// Numbers the fibers of a state that has not moved yet by height: by their centroids' places along the
+/// second lattice vector, the gradient direction of a shear. Threads step consecutive fibers, and in a shear
+/// those then soon have few contacts with what the others step.
+void number_by_height(FiberState& state);
+
 /// Moves every fiber to the image whose centroid lies in the cell (walled directions are left alone).
 void wrap_fibers(FiberState& state);
 

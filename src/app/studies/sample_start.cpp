@@ -26,6 +26,7 @@ StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, 
     });
   });
   progress.end_line();
+  number_by_height(result.state);
   return {std::move(result.state), std::move(result.report)};
 }
 

@@ -43,6 +43,23 @@ TEST(FiberState, NumbersNodesAndRods) {
   EXPECT_TRUE(fiber_centroid(state, 0).isApprox(Vec3(1.5e-4, 0, 0), 1e-14));
 }
 
+TEST(NumberByHeight, KeepsFibersAndSortsThemAcrossTheShear) {
+  FiberState state = empty_state();
+  state.materials.push_back({3e-6, 230e9, 1800});
+  append_straight(state, Vec3(0, 9e-4, 0), Vec3(1e-4, 0, 0), 3);
+  append_straight(state, Vec3(0, -7e-4, 0), Vec3(0, 0, 1e-4), 2);  // its image is at 3e-4
+  const std::array<Vec3, 2> carbon = {Vec3(0, 5e-4, 0), Vec3(1e-4, 5e-4, 0)};
+  append_fiber(state, {carbon, 1});
+  number_by_height(state);
+  ASSERT_EQ(state.fiber_count(), 3);
+  EXPECT_EQ(state.position[0], Vec3(0, -7e-4, 0));
+  EXPECT_EQ(state.rod_count(0), 2);
+  EXPECT_EQ(state.position[std::size_t(state.begin_node(1))], carbon[0]);
+  EXPECT_EQ(state.material(1).radius, 3e-6);
+  EXPECT_EQ(state.rod_count(2), 3);
+  EXPECT_EQ(state.birth_id, (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(HingeRadius, OfEqualRodsIsLengthOverTwiceTheSineOfHalfTheTurn) {
   const double turn = 0.4;
   const double length = 1e-4;
