@@ -13,6 +13,10 @@ constexpr double box_size = 0.7;
 constexpr double sampling = 0.7;  // distance of the points that stand for a line
 constexpr double thickest_radius = 0.5;
 
+constexpr int fraction_bits = 32;
+constexpr double one = 4294967296;  // 2^32
+constexpr std::int64_t fraction_mask = 0xffffffff;
+
 /// Calls `visit` with points along a line.
 template <typename Visit>
 void sample(const Vec3& begin, const Vec3& end, const Visit& visit) {
@@ -27,13 +31,16 @@ std::ptrdiff_t box_of(double place) {
 
 }  // namespace
 
-Vacancies::Vacancies(const Cell& cell) : cell_(cell) {
+Vacancies::Vacancies(const Cell& cell) {
   Vec3 count;
   for (int i = 0; i < 3; ++i) {
     count[i] = std::max(1.0, std::floor(cell.lattice.col(i).norm() / box_size));
-    count_[static_cast<std::size_t>(i)] = static_cast<std::ptrdiff_t>(count[i]);
+    const auto direction = static_cast<std::size_t>(i);
+    count_[direction] = static_cast<std::ptrdiff_t>(count[i]);
+    walled_[direction] = cell.boundary[direction] != Boundary::periodic;
   }
-  boxes_of_point_ = count.asDiagonal() * cell.lattice.inverse();
+  fraction_of_point_ = cell.lattice.inverse();
+  boxes_of_point_ = count.asDiagonal() * fraction_of_point_;
   filled_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]), 0);
 }
 
@@ -47,7 +54,7 @@ std::ptrdiff_t Vacancies::number(const Box& box) const {
   for (std::size_t i = 3; i-- > 0;) {
     std::ptrdiff_t inside = box[i];
     if (inside < 0 || inside >= count_[i]) {
-      if (cell_.boundary[i] != Boundary::periodic) return -1;
+      if (walled_[i]) return -1;
       inside = (inside % count_[i] + count_[i]) % count_[i];
     }
     number = number * count_[i] + inside;
@@ -86,14 +93,29 @@ void Vacancies::fill(const Chains& chains, std::size_t fiber) {
   }
 }
 
-double Vacancies::filled_share(const StraightAxis& line) const {
-  std::int64_t points = 0, filled = 0;
-  const Vec3 half = 0.5 * line.length * line.direction;
-  sample(line.centre - half, line.centre + half, [&](const Vec3& point) {
-    const std::ptrdiff_t at = number(box_at(point));
-    ++points;
-    if (at < 0 || filled_[static_cast<std::size_t>(at)] != 0) ++filled;
-  });
+double Vacancies::filled_share(const StraightAxis& line, double enough) const {
+  const auto points = static_cast<std::int64_t>(std::ceil(line.length / sampling));
+  const Vec3 step = line.length / static_cast<double>(points) * line.direction;
+  const Vec3 first = line.centre - 0.5 * static_cast<double>(points - 1) * step;
+  const Vec3 first_share = fraction_of_point_ * first, share_step = fraction_of_point_ * step;
+  // Shares of the cell's edges in fixed point: their integer parts are numbers of images.
+  std::int64_t place[3], move[3];
+  for (int i = 0; i < 3; ++i) {
+    place[i] = static_cast<std::int64_t>(std::floor(first_share[i] * one));
+    move[i] = static_cast<std::int64_t>(std::floor(share_step[i] * one));
+  }
+  const auto most = static_cast<std::int64_t>(enough * static_cast<double>(points));
+  std::int64_t filled = 0;
+  for (std::int64_t n = 0; n < points && filled <= most; ++n) {
+    std::int64_t number = 0;
+    bool beyond = false;
+    for (std::size_t i = 3; i-- > 0;) {
+      beyond = beyond || (walled_[i] && (place[i] >> fraction_bits) != 0);
+      number = number * count_[i] + (((place[i] & fraction_mask) * count_[i]) >> fraction_bits);
+      place[i] += move[i];
+    }
+    filled += beyond ? 1 : filled_[static_cast<std::size_t>(number)];
+  }
   return static_cast<double>(filled) / static_cast<double>(points);
 }
 

@@ -24,8 +24,9 @@ class Vacancies {
   explicit Vacancies(const Cell& cell);
   /// Marks what this fiber fills.
   void fill(const Chains& chains, std::size_t fiber);
-  /// Share of a line that lies in filled boxes or beyond walls.
-  [[nodiscard]] double filled_share(const StraightAxis& line) const;
+  /// Share of a line that lies in filled boxes or beyond walls; where it is above `enough`, any share above
+  /// that.
+  [[nodiscard]] double filled_share(const StraightAxis& line, double enough = 1) const;
 
  private:
   using Box = std::array<std::ptrdiff_t, 3>;
@@ -35,8 +36,9 @@ class Vacancies {
   /// Number of a box, or of its image in the cell; −1 beyond walls.
   [[nodiscard]] std::ptrdiff_t number(const Box& box) const;
 
-  Cell cell_;
-  Mat3 boxes_of_point_;  ///< gives fractional numbers of boxes
+  Mat3 fraction_of_point_;  ///< gives shares of the cell's edges
+  Mat3 boxes_of_point_;     ///< gives fractional numbers of boxes
+  std::array<bool, 3> walled_{};
   std::array<std::ptrdiff_t, 3> count_{};
   std::vector<std::uint8_t> filled_;
 };
