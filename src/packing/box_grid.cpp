@@ -9,7 +9,7 @@ namespace fiberfate {
 namespace {
 
 // Boxes per largest centre distance of two listed rods: finer ones test fewer pairs but are more to walk.
-constexpr double refinement = 2;
+constexpr double refinement = 1;
 
 int floor_divide(int a, int b) {
   return (a >= 0 ? a : a - b + 1) / b;

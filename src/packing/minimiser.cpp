@@ -34,6 +34,7 @@ void Minimiser::start() {
   chains_.velocity.assign(nodes, Vec3::Zero());
   chains_.force.assign(nodes, Vec3::Zero());
   sums_.resize(chains_.rod_length.size());
+  constraints_.resize(chains_.rod_length.size());
   for (std::size_t f = 0; f < chains_.rod_length.size(); ++f)
     total_length_ +=
         chains_.rod_length[f] * static_cast<double>(chains_.end_node(f) - chains_.begin_node(f) - 1);
@@ -109,7 +110,15 @@ void Minimiser::add_walls(std::size_t fiber, FiberSums& sums) {
   }
 }
 
-void Minimiser::load(std::size_t fiber, FiberSums& sums, ChainConstraints& constraints) {
+void Minimiser::add_moment(std::size_t fiber, FiberSums& sums) const {
+  for (std::size_t k = chains_.begin_node(fiber); k + 1 < chains_.end_node(fiber); ++k) {
+    const Vec3 rod = chains_.position[k + 1] - chains_.position[k];
+    sums.moment += rod * rod.transpose();
+  }
+  sums.moment /= chains_.rod_length[fiber];
+}
+
+void Minimiser::load(std::size_t fiber, FiberSums& sums) {
   const std::size_t begin = chains_.begin_node(fiber), end = chains_.end_node(fiber);
   const Mat3 couple = (energy_.orientation / chains_.rod_length[fiber]) * orientation_error_;
   for (std::size_t k = begin; k < end; ++k) chains_.force[k].setZero();
@@ -123,6 +132,7 @@ void Minimiser::load(std::size_t fiber, FiberSums& sums, ChainConstraints& const
   }
   add_bending(fiber, sums);
   add_walls(fiber, sums);
+  ChainConstraints& constraints = constraints_[fiber];
   constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[fiber]);
   constraints.project(&chains_.force[begin]);
   for (std::size_t k = begin; k < end; ++k) {
@@ -142,23 +152,19 @@ void Minimiser::load_fibers() {
           loads_.data());
   });
   const std::ptrdiff_t fibers = chains_.fiber_count();
-  Mat3 moment = Mat3::Zero();
-  for (std::size_t f = 0; f < chains_.rod_length.size(); ++f) {
-    Mat3 own = Mat3::Zero();
-    for (std::size_t k = chains_.begin_node(f); k + 1 < chains_.end_node(f); ++k) {
-      const Vec3 rod = chains_.position[k + 1] - chains_.position[k];
-      own += rod * rod.transpose();
-    }
-    moment += own / chains_.rod_length[f];
-  }
-  orientation_error_ = moment / total_length_ - target_;
   parallel_for(fibers, [&](std::ptrdiff_t f) {
-    static thread_local ChainConstraints constraints;
     const auto fiber = static_cast<std::size_t>(f);
     const double farthest = sums_[fiber].farthest;
     sums_[fiber] = FiberSums{};
     sums_[fiber].farthest = farthest;
-    load(fiber, sums_[fiber], constraints);
+    add_moment(fiber, sums_[fiber]);
+  });
+  Mat3 moment = Mat3::Zero();
+  for (const FiberSums& sums : sums_) moment += sums.moment;
+  orientation_error_ = moment / total_length_ - target_;
+  parallel_for(fibers, [&](std::ptrdiff_t f) {
+    const auto fiber = static_cast<std::size_t>(f);
+    load(fiber, sums_[fiber]);
   });
 }
 
@@ -193,9 +199,8 @@ void Minimiser::steer(double power) {
   mixing_ = initial_mixing;
 }
 
-void Minimiser::move(std::size_t fiber, double keep, double follow, ChainConstraints& constraints) {
+void Minimiser::move(std::size_t fiber, double keep, double follow) {
   const std::size_t begin = chains_.begin_node(fiber), end = chains_.end_node(fiber);
-  constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[fiber]);
   for (std::size_t k = begin; k < end; ++k) {
     Vec3& v = chains_.velocity[k];
     v = keep * v + follow * chains_.force[k];
@@ -204,7 +209,7 @@ void Minimiser::move(std::size_t fiber, double keep, double follow, ChainConstra
     chains_.force[k] = chains_.position[k];
     chains_.position[k] += step_size_ * v;
   }
-  constraints.restore_lengths(&chains_.position[begin]);
+  constraints_[fiber].restore_lengths(&chains_.position[begin]);
   double farthest = 0;
   for (std::size_t k = begin; k < end; ++k) {
     chains_.velocity[k] = (chains_.position[k] - chains_.force[k]) / step_size_;
@@ -220,10 +225,8 @@ void Minimiser::move_fibers(double force, double speed) {
   // v ← (1 − α)(v + F dt) + α |v| F / |F|, and from rest after going uphill.
   const double keep = rising ? 0 : 1 - mixing_;
   const double follow = step_size_ * (rising ? 1 : 1 - mixing_) + mix;
-  parallel_for(chains_.fiber_count(), [&](std::ptrdiff_t f) {
-    static thread_local ChainConstraints constraints;
-    move(static_cast<std::size_t>(f), keep, follow, constraints);
-  });
+  parallel_for(chains_.fiber_count(),
+               [&](std::ptrdiff_t f) { move(static_cast<std::size_t>(f), keep, follow); });
 }
 
 PackingMeasure Minimiser::step() {

@@ -43,8 +43,10 @@ class Minimiser {
   PackingMeasure step();
   /// Measures the present positions without moving them.
   PackingMeasure measure();
-  /// Lists neighbours anew: to be called after chains were put elsewhere, swollen or made firmer.
+  /// Lists neighbours anew: to be called after chains were put elsewhere or swollen.
   void forget_neighbours() { lists_valid_ = false; }
+  /// Takes over that this fiber was shrunk, or made firmer or softer.
+  void refresh(std::size_t fiber) { neighbours_.refresh(chains_, fiber); }
   /// Largest overlap of the rod that begins at this node, in sums of two radii, as last measured.
   [[nodiscard]] double overlap(std::size_t node) const {
     return loads_[neighbours_.slot(node)].largest_overlap;
@@ -63,13 +65,15 @@ class Minimiser {
   void start();
   void renew_neighbours();
   void load_fibers();
-  void load(std::size_t fiber, FiberSums& sums, ChainConstraints& constraints);
+  void add_moment(std::size_t fiber, FiberSums& sums) const;
+  void load(std::size_t fiber, FiberSums& sums);
   void add_bending(std::size_t fiber, FiberSums& sums);
   void add_walls(std::size_t fiber, FiberSums& sums);
   PackingMeasure summarise() const;
   void steer(double power);
   void move_fibers(double force, double speed);
-  void move(std::size_t fiber, double keep, double follow, ChainConstraints& constraints);
+  /// Moves a fiber by its velocity, as load() left its constraints.
+  void move(std::size_t fiber, double keep, double follow);
 
   Chains& chains_;
   Mat3 target_;
@@ -77,6 +81,7 @@ class Minimiser {
   RodNeighbours neighbours_;
   std::vector<RepulsionLoad> loads_;
   std::vector<FiberSums> sums_;
+  std::vector<ChainConstraints> constraints_;  ///< by fiber, at the positions of the last load
   std::vector<Vec3> listed_position_;
   Mat3 orientation_error_ = Mat3::Zero();
   double total_length_ = 0;

@@ -39,7 +39,7 @@ struct Stress {
 };
 constexpr Stress untangle_stress[] = {{16, 100}, {8, 100}, {4, 100}, {2, 100}, {1, 100}};
 // What presses too hard even then is taken out and put back elsewhere, if it is not too much.
-constexpr double relief_stress = 1.2;       // leaves a margin below what contacts bear
+constexpr double relief_stress = 1.1;       // leaves a margin below what contacts bear
 constexpr double relief_overlap = 0.0205;   // of the soft ramp: contacts that carry more than 0.89 of F0
 constexpr double relief_hold = 0.1;         // of the hold on orientation, which contacts would have to bear
 constexpr double most_moved = 0.2;          // share of the fibers

@@ -12,7 +12,8 @@
 namespace fiberfate {
 namespace {
 
-constexpr std::uint32_t places_tried = 3000;
+constexpr std::uint32_t places_tried = 10000;
+constexpr std::uint32_t places_a_chunk = 250;
 constexpr std::uint32_t placing = 7;  // tells the random numbers from those of other placements
 
 }  // namespace
@@ -79,13 +80,16 @@ void Relief::move() {
     const std::size_t begin = chains_.begin_node(f), last = chains_.end_node(f) - 1;
     const Vec3 direction = (chains_.position[last] - chains_.position[begin]).normalized();
     const double length = chains_.rod_length[f] * static_cast<double>(last - begin);
-    parallel_for(places_tried, [&](std::ptrdiff_t i) {
-      const auto at = static_cast<std::size_t>(i);
-      const auto u =
-          uniform4(seed_, RandomStream::position,
-                   {static_cast<std::uint32_t>(f), placing + round_, static_cast<std::uint32_t>(i)});
-      places[at] = {chains_.cell.lattice * Vec3(u[0], u[1], u[2]), direction, length};
-      filled[at] = vacancies.filled_share(places[at]);
+    parallel_for(places_tried / places_a_chunk, [&](std::ptrdiff_t chunk) {
+      double least = 1;
+      for (std::uint32_t i = 0; i < places_a_chunk; ++i) {
+        const auto at = static_cast<std::uint32_t>(chunk) * places_a_chunk + i;
+        const auto u =
+            uniform4(seed_, RandomStream::position, {static_cast<std::uint32_t>(f), placing + round_, at});
+        places[at] = {chains_.cell.lattice * Vec3(u[0], u[1], u[2]), direction, length};
+        filled[at] = vacancies.filled_share(places[at], least);
+        least = std::min(least, filled[at]);
+      }
     });
     const auto best = std::min_element(filled.begin(), filled.end()) - filled.begin();
     put_straight(f, places[static_cast<std::size_t>(best)].centre, direction);
@@ -98,11 +102,12 @@ void Relief::move() {
 
 void Relief::alter(const Alteration& alteration) {
   for (const std::size_t f : found_) {
+    if (alteration.swelling > chains_.swelling[f]) minimiser_.forget_neighbours();
     chains_.bending_stiffness[f] = alteration.stiffness * stiffness_[f];
     chains_.swelling[f] = alteration.swelling;
     chains_.firmness[f] = alteration.firmness;
+    minimiser_.refresh(f);
   }
-  minimiser_.forget_neighbours();
 }
 
 }  // namespace fiberfate

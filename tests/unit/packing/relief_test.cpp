@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "packing/vacancies.hpp"
 #include "unit/packing/random_chains.hpp"
 
@@ -38,6 +40,17 @@ TEST(Vacancies, AreWhereNoAxisIsNearerThanADiameter) {
   EXPECT_EQ(filled(10, 20.5), 1);
   // Across the fiber two diameters of twenty are filled, to one box.
   EXPECT_NEAR(vacancies.filled_share({Vec3(10, 10, 0.5), Vec3::UnitY(), 20}), 0.1, 0.04);
+}
+
+TEST(Vacancies, StopCountingWhereEnoughIsFilled) {
+  const Chains chains = parallel_chains({{10, 10}});
+  Vacancies vacancies(chains.cell);
+  vacancies.fill(chains, 0);
+  const StraightAxis along = {Vec3(10, 10, 10), Vec3::UnitX(), 16};
+  EXPECT_EQ(vacancies.filled_share(along), 1);
+  const double stopped = vacancies.filled_share(along, 0.25);
+  EXPECT_GT(stopped, 0.25);
+  EXPECT_LT(stopped, 0.4);
 }
 
 TEST(Vacancies, EndAtWalls) {
@@ -81,6 +94,25 @@ TEST(Relief, AltersOnlyWhatItMoves) {
   EXPECT_EQ(chains.bending_stiffness, (std::vector<double>{0.05, 0.4, 0.05}));
   EXPECT_EQ(chains.swelling, (std::vector<double>{1, 3, 1}));
   EXPECT_EQ(chains.firmness, (std::vector<double>{1, 0.5, 1}));
+}
+
+TEST(Relief, TellsTheMinimiserOfSwollenAndShrunkFibers) {
+  Chains chains = parallel_chains({{5, 5}, {5.8, 5}, {7.3, 5}});
+  Minimiser minimiser(chains, Mat3::Identity() / 3);
+  minimiser.use({});
+  static_cast<void>(minimiser.measure());
+  const std::size_t third = chains.begin_node(2);
+  const double before = minimiser.overlap(third);
+  Relief relief(chains, minimiser, 1);
+  ASSERT_EQ(relief.find(0.1), 1U);
+  for (const double swelling : {3.0, 1.0}) {
+    relief.alter({1, swelling, 1});
+    static_cast<void>(minimiser.measure());
+    // Of both: the fiber that was found is one of the first two.
+    const double largest = std::max(minimiser.overlap(third), minimiser.overlap(0));
+    EXPECT_NEAR(largest, 1 - 0.8 / (0.5 + 0.5 * swelling), 1e-12);
+  }
+  EXPECT_EQ(minimiser.overlap(third), before);
 }
 
 TEST(Relief, PrefersWhatItHasNotMovedYet) {
