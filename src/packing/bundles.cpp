@@ -24,12 +24,14 @@ struct Place {
   double x, y;
 };
 
-/// The places of a hexagonal lattice of spacing 1 that are nearest to its origin, in a fixed order.
-std::vector<Place> hexagonal_places(std::size_t count) {
+/// The places of a hexagonal lattice of spacing 1 that are nearest to this point of it, seen from there, in a
+/// fixed order.
+std::vector<Place> places_around(const Place& centre, std::size_t count) {
   const int reach = 2 + static_cast<int>(std::sqrt(static_cast<double>(count)));
   std::vector<Place> places;
   for (int i = -reach; i <= reach; ++i) {
-    for (int j = -reach; j <= reach; ++j) places.push_back({i + 0.5 * j, 0.5 * std::sqrt(3.0) * j});
+    for (int j = -reach; j <= reach; ++j)
+      places.push_back({i + 0.5 * j - centre.x, 0.5 * std::sqrt(3.0) * j - centre.y});
   }
   // Rounded, so that places of one shell are equally far whatever the last digit says.
   const auto distance = [](const Place& p) { return std::lround(1e6 * std::hypot(p.x, p.y)); };
@@ -37,6 +39,20 @@ std::vector<Place> hexagonal_places(std::size_t count) {
                    [&](const Place& a, const Place& b) { return distance(a) < distance(b); });
   places.resize(count);
   return places;
+}
+
+/// The narrowest of the arrangements around a place, around the middle of two and around that of three.
+std::vector<Place> hexagonal_places(std::size_t count) {
+  const Place centres[] = {{0, 0}, {0.5, 0}, {0.5, 0.5 / std::sqrt(3.0)}};
+  std::vector<Place> narrowest;
+  for (const Place& centre : centres) {
+    std::vector<Place> places = places_around(centre, count);
+    const auto radius = [](const Place& place) { return std::hypot(place.x, place.y); };
+    constexpr double clearly = 1 - 1e-6;
+    if (narrowest.empty() || radius(places.back()) < clearly * radius(narrowest.back()))
+      narrowest = std::move(places);
+  }
+  return narrowest;
 }
 
 double bundle_radius(std::size_t fibers, double spacing, double fiber_radius) {
