@@ -142,6 +142,7 @@ Chains Packer::bundle_up() {
   const Chains bundles = packer.separate();
   steps_ += packer.steps();
   Chains chains = fibers_in_bundles(request_, plan, bundles);
+  if (relieve(chains)) return chains;
   last_ = Minimiser(chains, target_).measure();
   if (!is_met(goal())) bend(chains);
   return chains;

@@ -186,6 +186,23 @@ TEST(Pack, BundlesHoldTheirFibersApartAndParallel) {
   EXPECT_EQ(near, 6);
 }
 
+// At a fifth by volume single fibers sink into each other under the contact law; the smallest bundles that
+// fill a hexagon do not.
+TEST(Pack, BundlesOfSevenRestWhereSingleFibersSinkIn) {
+  PackingRequest request = crowded_request();
+  request.fibers.assign(70, {2.5e-3, 25, 0});
+  request.cell = rectangular_cell(Vec3::Constant(0.618e-3));
+  request.rest.force_constant = 500;
+  EXPECT_GT(pack(request).report.overlap_at_rest, 0.1);
+  request.start = PackingStart::bundles;
+  request.bundle = {7, 0.6};
+  const PackingReport report = pack(request).report;
+  EXPECT_LT(report.overlap_at_rest, 0.02);
+  EXPECT_LT(report.largest_overlap, 0.01);
+  EXPECT_LT(report.orientation_error, 0.005);
+  EXPECT_GT(report.minimum_radius, 700e-6);
+}
+
 std::string refusal(const PackingRequest& request) {
   try {
     (void)pack(request);
