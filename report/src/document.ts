@@ -41,6 +41,8 @@ export interface LinesSection extends SectionBase {
   x: Axis;
   y: Axis;
   series: Series[];
+  /** A unit is as long on x as on y: for pictures of things. */
+  equal?: boolean;
 }
 
 export interface HistogramFrame {

@@ -87,6 +87,7 @@ Json write_section(const FactsSection& section) {
 
 Json write_section(const LinesSection& section) {
   Json json = start_section("lines", section);
+  if (section.scales == LinesSection::Scales::equal) json["equal"] = true;
   json["x"] = write_axis(section.x);
   add_values(json["x"], "values", section.x_values);
   json["y"] = write_axis(section.y);

@@ -65,6 +65,7 @@ struct LinesSection {
   std::vector<double> x_values = {};  ///< x of all series that have none of their own
   std::vector<ReportSeries> series;
   std::string caption = {};
+  enum class Scales { independent, equal } scales = Scales::independent;  ///< equal: for pictures of things
 };
 
 /// Holds the counts of one histogram.

@@ -23,6 +23,8 @@ export interface Curves {
   y_unit: ShownUnit;
   x_label: string;
   y_label: string;
+  /** A unit is as long on x as on y. */
+  equal: boolean;
 }
 
 function scale_all(values: Value[], factor: number): Value[] {
@@ -32,8 +34,11 @@ function scale_all(values: Value[], factor: number): Value[] {
 /** Scales a section's series to units that read well. */
 export function make_curves(section: LinesSection): Curves {
   const shared = section.x.values ?? [];
-  const x_unit = choose_unit(section.x.unit, largest_magnitude(section.series.flatMap((series) => series.x ?? shared)));
-  const y_unit = choose_unit(section.y.unit, largest_magnitude(section.series.flatMap((series) => series.values)));
+  const equal = section.equal === true;
+  const xs = section.series.flatMap((series) => series.x ?? shared);
+  const ys = section.series.flatMap((series) => series.values);
+  const x_unit = choose_unit(section.x.unit, largest_magnitude(equal ? [...xs, ...ys] : xs));
+  const y_unit = equal ? x_unit : choose_unit(section.y.unit, largest_magnitude(ys));
   const curves = section.series.map((series, index): Curve => ({
     label: series.label,
     style: section.kind === "scatter" ? "points" : (series.style ?? "line"),
@@ -46,7 +51,7 @@ export function make_curves(section: LinesSection): Curves {
     last: series.values.filter(is_number).at(-1) ?? null,
     source: series,
   }));
-  return { curves, x_unit, y_unit, x_label: section.x.label, y_label: section.y.label };
+  return { curves, x_unit, y_unit, x_label: section.x.label, y_label: section.y.label, equal };
 }
 
 /** Tells whether a value has a place on a scale. */
@@ -100,4 +105,13 @@ export function range_of_x(curves: Curve[], scale: Scale): [number, number] {
   }
   const scattered = curves.every((curve) => curve.style === "points");
   return min < max && !scattered ? [min, max] : pad_range(min, max, scale);
+}
+
+/** Widens one of two ranges about its middle until a unit is as long on both axes of a plot of this width over height. */
+export function make_equal(x: [number, number], y: [number, number], shape: number): { x: [number, number]; y: [number, number] } {
+  const widen = ([low, high]: [number, number], span: number): [number, number] => {
+    const middle = (low + high) / 2;
+    return span > high - low ? [middle - span / 2, middle + span / 2] : [low, high];
+  };
+  return { x: widen(x, (y[1] - y[0]) * shape), y: widen(y, (x[1] - x[0]) / shape) };
 }

@@ -5,7 +5,7 @@ import { figure_font } from "../figure/frame";
 import { make_ticks } from "../figure/ticks";
 import { write_number } from "../format";
 import { current_palette, type Palette } from "../palette";
-import { type Curves, fits, range_of_x, range_of_y } from "./curves";
+import { type Curves, fits, make_equal, range_of_x, range_of_y } from "./curves";
 import { draw_curves, type Scales } from "./paths";
 
 export interface LineChart {
@@ -24,12 +24,19 @@ export interface LineChartRequest {
 }
 
 const chart_height = 340;
+const picture_height = 520; // of curves with one scale for both axes
+const axis_room = { x: 32, y: 64 };
+const padding = { top: 10, right: 12 };
+
+function height_of(made: Curves): number {
+  return made.equal ? picture_height : chart_height;
+}
 
 function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis {
   return {
     stroke: palette.muted,
     font: `12px ${figure_font}`,
-    size: side === "x" ? 32 : 64,
+    size: axis_room[side],
     grid: { show: side === "y", stroke: palette.grid, width: 1 },
     ticks: { stroke: palette.muted, width: 1, size: 5 },
     border: { show: true, stroke: palette.muted, width: 1 },
@@ -55,16 +62,23 @@ function make_data(request: LineChartRequest): uPlot.AlignedData {
 function make_options(request: LineChartRequest, zoom: () => [number, number] | undefined): uPlot.Options {
   const palette = current_palette();
   const { made, scales, host } = request;
-  const range_x = (): [number, number] => zoom() ?? range_of_x(made.curves, scales.x);
+  const width = (): number => host.clientWidth || 640;
+  const ranges = (): { x: [number, number]; y: [number, number] } => {
+    const x = zoom() ?? range_of_x(made.curves, scales.x);
+    const y = range_of_y(made.curves, scales.y, ...x);
+    if (!made.equal) return { x, y };
+    const plot_width = width() - axis_room.y - padding.right;
+    return make_equal(x, y, plot_width / (picture_height - axis_room.x - padding.top));
+  };
   return {
-    width: host.clientWidth || 640,
-    height: chart_height,
-    padding: [10, 12, 0, 0],
+    width: width(),
+    height: height_of(made),
+    padding: [padding.top, padding.right, 0, 0],
     legend: { show: false },
     cursor: { y: false, points: { show: false }, drag: { x: true, y: false } },
     scales: {
-      x: { time: false, distr: scales.x === "log" ? 3 : 1, range: range_x },
-      y: { distr: scales.y === "log" ? 3 : 1, range: () => range_of_y(made.curves, scales.y, ...range_x()) },
+      x: { time: false, distr: scales.x === "log" ? 3 : 1, range: () => ranges().x },
+      y: { distr: scales.y === "log" ? 3 : 1, range: () => ranges().y },
     },
     axes: [make_axis(palette, "x", scales.x), make_axis(palette, "y", scales.y)],
     series: [{}, { show: true, stroke: "transparent", points: { show: false } }],
@@ -102,6 +116,6 @@ export function make_line_chart(request: LineChartRequest): LineChart {
     build();
   };
   build();
-  new ResizeObserver(() => plot?.setSize({ width: request.host.clientWidth, height: chart_height })).observe(request.host);
+  new ResizeObserver(() => plot?.setSize({ width: request.host.clientWidth, height: height_of(request.made) })).observe(request.host);
   return { rebuild: build, reset_zoom, zoomed: () => zoom };
 }

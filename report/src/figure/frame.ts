@@ -22,6 +22,7 @@ export interface FrameRequest {
   /** Room at the top for a legend. */
   top?: number;
   grid?: "both" | "none";
+  height?: number;
 }
 
 export interface Frame {
@@ -38,6 +39,8 @@ export interface Frame {
 
 export const figure_width = 720;
 export const figure_height = 400;
+/** Room around the plot for ticks and titles. */
+export const room = { left: 78, right: 14, top: 14, bottom: 56 };
 export const figure_font = "'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
 let clips = 0;
@@ -93,17 +96,18 @@ function draw_titles(frame: Frame, request: FrameRequest): void {
 
 /** Draws axes and titles and hands back the plot to draw in. */
 export function make_frame(request: FrameRequest): Frame {
+  const height = request.height ?? figure_height;
   const edges = {
-    left: 78,
-    right: figure_width - (request.right ?? 14),
-    top: 14 + (request.top ?? 0),
-    bottom: figure_height - 56,
+    left: room.left,
+    right: figure_width - (request.right ?? room.right),
+    top: room.top + (request.top ?? 0),
+    bottom: height - room.bottom,
   };
   const svg = make_svg("svg", {
     xmlns: "http://www.w3.org/2000/svg",
-    viewBox: `0 0 ${figure_width} ${figure_height}`,
+    viewBox: `0 0 ${figure_width} ${height}`,
     width: figure_width,
-    height: figure_height,
+    height,
     "font-family": figure_font,
     role: "img",
     "aria-label": request.description,

@@ -1,11 +1,11 @@
 // Curves as a vector figure, for print and for papers.
 import type { Curve, Curves } from "../chart/curves";
-import { range_of_x, range_of_y, split_runs } from "../chart/curves";
+import { make_equal, range_of_x, range_of_y, split_runs } from "../chart/curves";
 import type { Scale, Value } from "../document";
 import { make_svg } from "../dom";
 import { write_axis_title } from "../format";
 import type { Palette } from "../palette";
-import { type Frame, make_frame } from "./frame";
+import { figure_width, type Frame, make_frame, room } from "./frame";
 import { draw_legend, measure_legend } from "./legend";
 
 export interface View {
@@ -31,7 +31,7 @@ function draw_band(frame: Frame, curve: Curve, view: View, colour: string): void
   frame.plot.append(make_svg("path", { class: "band", d: path, fill: colour, "fill-opacity": 0.16 }));
 }
 
-function draw_curve(frame: Frame, curve: Curve, view: View, colour: string): void {
+function draw_curve(frame: Frame, curve: Curve, view: View, colour: string, width: number): void {
   draw_band(frame, curve, view, colour);
   const runs = split_runs([curve.x, curve.y], [view.x_scale, view.y_scale]);
   if (curve.style === "points") {
@@ -43,26 +43,34 @@ function draw_curve(frame: Frame, curve: Curve, view: View, colour: string): voi
   }
   const lines = runs.map((run) => `M${run.map((k) => place(frame, curve.x, curve.y, k)).join("L")}${run.length === 1 ? "h2" : ""}`);
   frame.plot.append(make_svg("path", {
-    "data-series": curve.label, d: lines.join(""), fill: "none", stroke: colour, "stroke-width": 2,
+    "data-series": curve.label, d: lines.join(""), fill: "none", stroke: colour, "stroke-width": width,
     "stroke-linejoin": "round", "stroke-dasharray": curve.style === "dashed" ? "6 4" : undefined,
   }));
 }
 
+const picture_height = 600; // of curves with one scale for both axes
+
 /** Draws the visible curves as the reader has zoomed and scaled them. */
 export function draw_lines(title: string, made: Curves, view: View, palette: Palette): SVGSVGElement {
   const shown = made.curves.filter((curve) => curve.visible);
-  const x_range = view.x_range ?? range_of_x(made.curves, view.x_scale);
-  const y_range = range_of_y(shown, view.y_scale, ...x_range);
+  let x_range = view.x_range ?? range_of_x(made.curves, view.x_scale);
+  let y_range = range_of_y(shown, view.y_scale, ...x_range);
   const colour_of = (curve: Curve): string => palette.series[curve.colour % palette.series.length]!;
   const entries = shown.map((curve) => ({ label: curve.label, colour: colour_of(curve), mark: curve.style }));
+  const top = measure_legend(entries);
+  if (made.equal) {
+    const plot_width = figure_width - room.left - room.right;
+    ({ x: x_range, y: y_range } = make_equal(x_range, y_range, plot_width / (picture_height - top - room.top - room.bottom)));
+  }
   const frame = make_frame({
     x: { title: write_axis_title(made.x_label, made.x_unit.unit), min: x_range[0], max: x_range[1], scale: view.x_scale },
     y: { title: write_axis_title(made.y_label, made.y_unit.unit), min: y_range[0], max: y_range[1], scale: view.y_scale },
     palette,
     description: `${title}: ${made.y_label} against ${made.x_label}`,
-    top: measure_legend(entries),
+    top,
+    height: made.equal ? picture_height : undefined,
   });
-  for (const curve of shown) draw_curve(frame, curve, view, colour_of(curve));
+  for (const curve of shown) draw_curve(frame, curve, view, colour_of(curve), made.equal ? 1.2 : 2);
   draw_legend(frame.svg, entries, palette);
   return frame.svg;
 }

@@ -46,6 +46,17 @@ std::vector<double> curvatures_of(const FiberState& state) {
   return curvatures;
 }
 
+/// Outlines the cell as it is seen along an axis.
+ReportSeries cell_outline(const Cell& cell, int across, int up) {
+  ReportSeries outline{"cell", {}, CurveStyle::dashed};
+  const Vec3 first = cell.lattice.col(across), second = cell.lattice.col(up);
+  for (const Vec3& corner : {Vec3(Vec3::Zero()), first, Vec3(first + second), second, Vec3(Vec3::Zero())}) {
+    outline.x.push_back(corner[across]);
+    outline.values.push_back(corner[up]);
+  }
+  return outline;
+}
+
 FiberFrame frame_to_show(const PolyFrame& polylines) {
   FiberFrame frame;
   frame.time_s = polylines.time;
@@ -67,22 +78,59 @@ void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
   if (fibers.weight_fraction) facts.push_back({"Weight fraction", 100 * *fibers.weight_fraction, "%"});
 }
 
+/// Puts a law of lengths into words.
+struct LawTeller {
+  static std::string means(double number, double weight) {
+    return fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * number, 1e3 * weight);
+  }
+  std::string operator()(const SingleLength& law) const { return fmt::format("{:.4g} mm", 1e3 * law.length); }
+  std::string operator()(const LengthHistogram& law) const {
+    return fmt::format("histogram of {} bins, {:.4g} to {:.4g} mm", law.heights.size(), 1e3 * law.edges.front(),
+                       1e3 * law.edges.back());
+  }
+  std::string operator()(const ListedLengths& law) const {
+    return fmt::format("{} measured lengths", law.lengths.size());
+  }
+  std::string operator()(const WeibullLengths& law) const {
+    return "Weibull, " + means(law.number_average, law.weight_average);
+  }
+  std::string operator()(const LogNormalLengths& law) const {
+    return "log-normal, " + means(law.number_average, law.weight_average);
+  }
+};
+
+std::string describe(const LengthLaw& law) {
+  return std::visit(LawTeller(), law);
+}
+
 }  // namespace
 
 std::vector<Fact> sample_facts(const SampleCase& sample) {
   const FiberChoices& fibers = sample.fibers;
   std::vector<Fact> facts;
   append_amount(facts, fibers);
-  if (fibers.length) facts.push_back({"Fiber length", *fibers.length, "m"});
+  if (fibers.length)
+    facts.push_back({"Fiber length", *fibers.length, "m"});
+  else if (sample.cluster.source == ClusterSource::generate)
+    facts.push_back({"Fiber lengths", describe(length_law(fibers))});
   facts.push_back({"Fiber diameter", fibers.diameter, "m"});
   facts.push_back({"Young's modulus", fibers.youngs_modulus, "Pa"});
   if (fibers.rod_length) facts.push_back({"Rod length", *fibers.rod_length, "m"});
+  for (std::size_t i = 0; i < fibers.more_kinds.size(); ++i) {
+    const FurtherKind& kind = fibers.more_kinds[i];
+    facts.push_back({fmt::format("Kind {}", i + 2),
+                     fmt::format("{:.4g} µm, {:.4g} GPa; {}", 1e6 * kind.diameter, 1e-9 * kind.youngs_modulus,
+                                 describe(length_law(kind))),
+                     "", fmt::format("{:.4g} times the volume of the first", kind.volume_share)});
+  }
   if (sample.cell_size)
     facts.push_back({"Cell", fmt::format("{:.4g} × {:.4g} × {:.4g} mm", 1e3 * sample.cell_size->x(),
                                          1e3 * sample.cell_size->y(), 1e3 * sample.cell_size->z())});
   if (sample.cluster.source == ClusterSource::file)
     facts.push_back({"Fibers read from", sample.cluster.file});
-  if (sample.cluster.source == ClusterSource::generate)
+  if (!sample.cluster.directions.empty())
+    facts.push_back({"Orientation wanted", fmt::format("{} measured directions", sample.cluster.directions.size())});
+  else if (sample.cluster.source == ClusterSource::generate)
     facts.push_back({"Orientation wanted", sample.cluster.orientation, "", "A_2 by length"});
   return facts;
 }
@@ -205,7 +253,10 @@ std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
       fibers.x.push_back(fibers.x.back());
       fibers.values.push_back(gap);
     }
-    if (stride > 1) section.caption = fmt::format("One fiber of {} is drawn.", stride);
+    section.series.push_back(cell_outline(state.cell, across, up));
+    section.scales = LinesSection::Scales::equal;
+    section.caption = "Whole fibers, also where they leave the cell and come in again on its other side.";
+    if (stride > 1) section.caption += fmt::format(" One fiber of {} is drawn.", stride);
     sections.push_back(std::move(section));
   }
   return sections;
