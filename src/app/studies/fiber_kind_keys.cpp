@@ -54,8 +54,8 @@ void describe_distribution(KeyTable& keys, const std::string& table,
 void describe_fiber_kind(KeyTable& keys, const std::string& table, FiberKind& kind) {
   keys.quantity(table + ".length", kind.length,
                 {.text = "Length of every fiber. Instead of it, lengths, or the table length_histogram or "
-               "length_distribution, gives a distribution.",
-       .unit = "m",
+                         "length_distribution, gives a distribution.",
+                 .unit = "m",
                  .friendly = "mm",
                  .range = Range::between(1e-6, 0.1),
                  .need = Need::usual,

@@ -85,8 +85,8 @@ struct LawTeller {
   }
   std::string operator()(const SingleLength& law) const { return fmt::format("{:.4g} mm", 1e3 * law.length); }
   std::string operator()(const LengthHistogram& law) const {
-    return fmt::format("histogram of {} bins, {:.4g} to {:.4g} mm", law.heights.size(), 1e3 * law.edges.front(),
-                       1e3 * law.edges.back());
+    return fmt::format("histogram of {} bins, {:.4g} to {:.4g} mm", law.heights.size(),
+                       1e3 * law.edges.front(), 1e3 * law.edges.back());
   }
   std::string operator()(const ListedLengths& law) const {
     return fmt::format("{} measured lengths", law.lengths.size());
@@ -129,7 +129,8 @@ std::vector<Fact> sample_facts(const SampleCase& sample) {
   if (sample.cluster.source == ClusterSource::file)
     facts.push_back({"Fibers read from", sample.cluster.file});
   if (!sample.cluster.directions.empty())
-    facts.push_back({"Orientation wanted", fmt::format("{} measured directions", sample.cluster.directions.size())});
+    facts.push_back(
+        {"Orientation wanted", fmt::format("{} measured directions", sample.cluster.directions.size())});
   else if (sample.cluster.source == ClusterSource::generate)
     facts.push_back({"Orientation wanted", sample.cluster.orientation, "", "A_2 by length"});
   return facts;
