@@ -31,8 +31,8 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
-/// Tells which of consecutive items is the first of a share, when `shares` of about equal weight are made; item
-/// i weighs running[i + 1] − running[i].
+/// Tells which of consecutive items is the first of a share, when `shares` of about equal weight are made;
+/// item i weighs running[i + 1] − running[i].
 [[nodiscard]] inline std::ptrdiff_t share_begin(std::span<const Index> running, int share, int shares) {
   const auto items = static_cast<std::ptrdiff_t>(running.size()) - 1;
   if (share >= shares) return items;
@@ -50,13 +50,6 @@ void parallel_for_weighted(std::span<const Index> running, const Body& body) {
     const std::ptrdiff_t end = share_begin(running, thread + 1, threads);
     for (std::ptrdiff_t i = share_begin(running, thread, threads); i < end; ++i) body(i);
   }
-}
-
-/// The same for iterations of very different length: threads take them eight at a time as they get free.
-template <class Body>
-void parallel_for_uneven(std::ptrdiff_t count, const Body& body) {
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
 }
 
 /// Holds scratch for every thread, each on cache lines of its own: threads that write into one line wait for
