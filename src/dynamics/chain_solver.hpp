@@ -57,7 +57,7 @@ class ChainSolver {
   }
 
   std::vector<ChainGroup> groups_;
-  AlignedArray rods_;                 ///< RodNumber, group after group
+  AlignedArray rods_;  ///< RodNumber, group after group
   /// First group of each thread's share: fibers are shared as everywhere, so that what a thread steps stays
   /// with it.
   std::vector<std::size_t> share_begin_;

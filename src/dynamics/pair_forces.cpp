@@ -62,8 +62,8 @@ void PairForces::begin_shares(std::size_t nodes) {
   parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t i) {
     const auto part = static_cast<std::size_t>(i);
     for (const std::vector<Index>& count : next_)
-      part_begin_[part + 1] += std::accumulate(count.begin() + part_begin(part),
-                                               count.begin() + part_begin(part + 1), Index{0});
+      part_begin_[part + 1] +=
+          std::accumulate(count.begin() + part_begin(part), count.begin() + part_begin(part + 1), Index{0});
   });
   std::partial_sum(part_begin_.begin(), part_begin_.end(), part_begin_.begin());
   parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t i) {
