@@ -144,6 +144,12 @@ def test_every_kind_has_lengths_of_its_own(tmp_path):
     assert numpy.abs(bins - len(glass_lengths) * numpy.array([0.2, 0.5, 0.3])).max() <= 1
     assert lengths.mean() == pytest.approx(0.2e-3, rel=0.005)
     assert (lengths ** 2).sum() / lengths.sum() == pytest.approx(0.3e-3, rel=0.005)
+    assert values["kind_L_N_m"] == pytest.approx([glass_lengths.mean(), lengths.mean()], rel=1e-9)
+    assert values["kind_L_N_asked_m"][1] == 0.2e-3 and values["kind_volume_share_asked"] == pytest.approx([2 / 3, 1 / 3])
+    assert values["kind_volume_share"] == pytest.approx([2 / 3, 1 / 3], rel=0.005)
+    assert sum(values["kind_fibers"]) == values["fibers"] == sum(values["length_fibers"])
+    named = set(re.findall(r"^\| `([^`]+)`", (DOCS / "summary.md").read_text(encoding="utf-8"), re.M))
+    assert set(json.loads((tmp_path / "r" / "summary.json").read_text())) <= named
 
 
 @pytest.mark.parametrize("change, complaint", [
@@ -198,7 +204,44 @@ def test_a_cluster_of_overlapping_fibers_relaxes(tmp_path):
     assert values["relaxation_orientation_drift"] < 0.01
 
 
+def test_relaxing_straightens_until_no_hinge_is_sharper_than_wanted(tmp_path):
+    turn = numpy.linspace(0, 1, 6)
+    rows = ["fiber,x_m,y_m,z_m"] + [f"0,{0.1e-3 + 0.3e-3 * numpy.sin(a)},{0.2e-3 + 0.3e-3 * numpy.cos(a)},2e-4" for a in turn]
+    (tmp_path / "fibers.csv").write_text("\n".join(rows) + "\n", encoding="utf-8")
+    text = ('study = "cluster"\n[fibers]\ndiameter = "10 um"\nyoungs_modulus = "10 GPa"\n[cell]\nsize = "1 mm"\n'
+            '[cluster]\nsource = "file"\nfile = "fibers.csv"\n'
+            '[relaxation]\nduration = "1 s"\nrate = 0\nminimum_radius = "0.6 mm"\norientation_bound = 0.9\n')
+    values = pack(tmp_path, text)
+    assert values["relaxation_end"] == "met" and values["min_radius_m"] >= 0.6e-3
+    short = pack(tmp_path, text.replace('"1 s"', '"1 us"'), "short")
+    assert short["relaxation_end"] == "time_over" and short["min_radius_m"] < 0.6e-3
+
+
+def test_relaxing_ends_before_orientation_leaves_its_bound(tmp_path):
+    text = CLUSTER.replace("[cluster]", '[relaxation]\nduration = "2 s"\nrate = "10 1/s"\nminimum_radius = "900 m"\n'
+                           "orientation_bound = 0.02\n[cluster]").replace('"8 %"', '"25 %"')
+    values = pack(tmp_path, text)  # fibers of this length must bend there
+    assert values["relaxation_end"] == "orientation_bound"
+    assert 0.005 < values["relaxation_orientation_drift"] <= 0.02
+
+
 @pytest.mark.parametrize("change, complaint", [
+    (('length = "0.5 mm"', 'length = "10 um"'), "fibers are shorter than they are thick, fibers.diameter = \"19 um\" (line 4)"),
+    (('length = "0.5 mm"', 'lengths = ["0.5 mm", "15 um"]'), "1 of 2 fibers are shorter than they are thick"),
+    (('length = "0.5 mm"', 'lengths = "nowhere.txt"'), "nowhere.txt: cannot be read (No such file or directory): check the path"),
+    (('length = "0.5 mm"', 'lengths = "empty.txt"'), "empty.txt: holds no numbers: give one number a line"),
+    (('length = "0.5 mm"', 'lengths = "nan.txt"'), "nan.txt:2: 'nan' is not a finite number"),
+    (('length = "0.5 mm"', 'lengths = "."'), "is a folder, not a file"),
+    (('length = "0.5 mm"', "length_histogram = {edges = [1e-3, 2e-3, 15e-4], heights = [1, 2]}"),
+     "fibers.length_histogram.edges = [1e-3, 2e-3, 15e-4]: the edges of a length histogram do not rise from 0 or above"),
+    (('length = "0.5 mm"', "length_histogram = {edges = [1e-3, 2e-3], heights = [0]}"),
+     "fibers.length_histogram.heights = [0]: all heights of a length histogram are 0"),
+    (("[cell]", "[fibers.length_histogram]\nedges = [1e-3, 2e-3, 15e-4]\nheights = [1, 2]\n[cell]"),
+     "contradicts fibers.length = \"0.5 mm\""),
+    (("[0.6, 0.3, 0.1]", '"isotropic"\ndirections = [[1, 0, 0], [0, 0, 0]]'), "12:26: cluster.directions = [0, 0, 0]: the direction"),
+    (("[cluster]", '[cluster]\nstart = "bundles"\nbundle_fibers = 1000'),
+     "cluster.bundle_fibers = 1000: 1 bundles cannot have the orientation that is asked for"),
+    (('volume_fraction = "8 %"', "count = 2"), "fibers.count = 2: 2 fibers cannot have this orientation"),
     (('"8 %"', '"75 %"'), "with cluster.orientation = [0.6, 0.3, 0.1] (line 11) they fill at most"),
     (("[0.6, 0.3, 0.1]", "[0.8, 0.3, -0.1]"), "the nearest possible tensor is [0.75, 0.25, 0]"),
     (("[0.6, 0.3, 0.1]", "[0.6, 0.3, 0.2]"), "the nearest possible tensor is [0.5667, 0.2667, 0.1667]"),
@@ -206,4 +249,6 @@ def test_a_cluster_of_overlapping_fibers_relaxes(tmp_path):
 ])
 def test_what_cannot_be_is_refused_with_what_could(tmp_path, change, complaint):
     (tmp_path / "case.toml").write_text(CLUSTER.replace(*change), encoding="utf-8")
+    (tmp_path / "empty.txt").touch()
+    (tmp_path / "nan.txt").write_text("0.5e-3\nnan\n", encoding="utf-8")
     assert complaint in run("check", tmp_path / "case.toml", expect=2).stderr

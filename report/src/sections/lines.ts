@@ -54,7 +54,7 @@ export function render_lines(section: LinesSection): HTMLElement {
   const paper = (): SVGSVGElement => draw_lines(section.title, made, view(), light_palette);
 
   for (const axis of ["x", "y"] as const) {
-    if (!has_positive(made, axis)) continue;
+    if (made.equal || !has_positive(made, axis)) continue;
     controls.append(make_toggle(`log ${axis}`, `Logarithmic ${axis} axis`, scales[axis] === "log", (on) => {
       scales[axis] = on ? "log" : "linear";
       chart().reset_zoom();

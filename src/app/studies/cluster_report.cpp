@@ -33,6 +33,22 @@ std::string micrometres(double radius) {
   return std::isnan(radius) ? "straight" : fmt::format("{:.4g} µm", 1e6 * radius);
 }
 
+/// Sets the lengths and shares of several kinds side by side.
+void add_kinds(TableSection& table, const SummaryFile& summary) {
+  const std::vector<double> fibers = summary.numbers("kind_fibers");
+  const auto pair = [&](std::size_t kind, const char* what, const std::string& key, const std::string& unit,
+                        const auto& write) {
+    table.rows.push_back({fmt::format("Kind {}: {}", kind + 1, what),
+                          write(summary.numbers(key + "_asked" + unit).at(kind)),
+                          write(summary.numbers(key + unit).at(kind))});
+  };
+  for (std::size_t kind = 0; kind < fibers.size(); ++kind) {
+    pair(kind, "L_N", "kind_L_N", "_m", millimetres);
+    pair(kind, "L_W", "kind_L_W", "_m", millimetres);
+    pair(kind, "share of the fibers' volume", "kind_volume_share", "", percent);
+  }
+}
+
 /// Sets what was asked beside what came out.
 TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
   const SampleCase& sample = values.sample;
@@ -44,6 +60,11 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
     add("L_N", millimetres(summary.number("L_N_asked_m")), millimetres(summary.number("L_N_m")));
     add("L_W", millimetres(summary.number("L_W_asked_m")), millimetres(summary.number("L_W_m")));
   }
+  add_kinds(table, summary);
+  if (sample.fibers.weight_fraction)
+    add("Weight fraction", percent(*sample.fibers.weight_fraction),
+        percent(weight_from_volume_fraction(summary.number("volume_fraction"), mean_density(species(sample)),
+                                            sample.matrix_density.value_or(0))));
   if (sample.fibers.volume_fraction)
     add("Volume fraction", percent(*sample.fibers.volume_fraction),
         percent(summary.number("volume_fraction")));
@@ -74,7 +95,8 @@ FactsSection came_out(const SummaryFile& summary) {
        {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
        {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
         "theory of Toll for straight fibers"},
-       {"Left", summary.text("packing_end")},
+       {"Left",
+        summary.text("packing_end") == "at_rest" ? "at rest under the contact law" : "as it was parted"},
        {"Largest overlap at rest under the contact law", summary.number("max_overlap_at_rest_diameters"),
         "diameters"},
        {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},

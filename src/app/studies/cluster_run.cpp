@@ -45,6 +45,25 @@ std::vector<double> components(const Mat6& tensor) {
   return rows;
 }
 
+void append_kinds(OwnValues& own, const SampleCase& sample, const FiberState& state) {
+  if (sample.fibers.more_kinds.empty()) return;
+  const std::vector<KindComparison> kinds = compare_kinds(sample, state);
+  const auto list = [&](const std::string& key, double KindComparison::*member) {
+    std::vector<double> values;
+    for (const KindComparison& kind : kinds) values.push_back(kind.*member);
+    own.emplace_back(key, values);
+  };
+  std::vector<double> fibers;
+  for (const KindComparison& kind : kinds) fibers.push_back(static_cast<double>(kind.fibers));
+  own.emplace_back("kind_fibers", fibers);
+  list("kind_L_N_m", &KindComparison::number_average);
+  list("kind_L_N_asked_m", &KindComparison::number_average_asked);
+  list("kind_L_W_m", &KindComparison::weight_average);
+  list("kind_L_W_asked_m", &KindComparison::weight_average_asked);
+  list("kind_volume_share", &KindComparison::volume_share);
+  list("kind_volume_share_asked", &KindComparison::volume_share_asked);
+}
+
 void append_lengths(OwnValues& own, const SampleCase& sample, const FiberState& state) {
   if (sample.cluster.source != ClusterSource::generate) return;
   const LengthComparison lengths = compare_lengths(sample, fiber_lengths(state));
@@ -55,6 +74,7 @@ void append_lengths(OwnValues& own, const SampleCase& sample, const FiberState& 
                          {"length_fibers_asked", lengths.expected},
                          {"length_chi_square", lengths.chi_square},
                          {"length_chi_square_bins", static_cast<std::int64_t>(lengths.chi_square_bins)}});
+  append_kinds(own, sample, state);
 }
 
 void append_relaxation(OwnValues& own, const std::optional<RelaxedFibers>& relaxed) {

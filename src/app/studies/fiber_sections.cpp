@@ -81,7 +81,7 @@ void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
 /// Puts a law of lengths into words.
 struct LawTeller {
   static std::string means(double number, double weight) {
-    return fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * number, 1e3 * weight);
+    return fmt::format("means {:.4g} mm by number, {:.4g} mm by weight", 1e3 * number, 1e3 * weight);
   }
   std::string operator()(const SingleLength& law) const { return fmt::format("{:.4g} mm", 1e3 * law.length); }
   std::string operator()(const LengthHistogram& law) const {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "app/studies/fiber_sections.hpp"
+#include "base/constants.hpp"
 
 namespace fiberfate {
 namespace {
@@ -61,13 +62,46 @@ void measure_fit(LengthComparison& comparison) {
 
 }  // namespace
 
+std::vector<KindComparison> compare_kinds(const SampleCase& sample, const FiberState& state) {
+  const std::vector<FiberSpecies> kinds = species(sample);
+  std::vector<KindComparison> comparisons(kinds.size());
+  std::vector<double> squares(kinds.size());
+  const std::vector<double> lengths = fiber_lengths(state);
+  double volume = 0, shares = 0;
+  for (std::size_t f = 0; f < lengths.size(); ++f) {
+    const std::size_t kind = state.material_id[f];
+    const double radius = kinds.at(kind).material.radius;
+    ++comparisons[kind].fibers;
+    comparisons[kind].number_average += lengths[f];
+    squares[kind] += lengths[f] * lengths[f];
+    comparisons[kind].volume_share += pi * radius * radius * lengths[f];
+  }
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    KindComparison& one = comparisons[k];
+    one.number_average_asked = number_average(kinds[k].length);
+    one.weight_average_asked = weight_average(kinds[k].length);
+    one.volume_share_asked = kinds[k].volume_share;
+    if (one.fibers > 0) one.weight_average = squares[k] / one.number_average;
+    if (one.fibers > 0) one.number_average /= static_cast<double>(one.fibers);
+    volume += one.volume_share;
+    shares += one.volume_share_asked;
+  }
+  for (KindComparison& one : comparisons) {
+    one.volume_share /= volume;
+    one.volume_share_asked /= shares;
+  }
+  return comparisons;
+}
+
 LengthComparison compare_lengths(const SampleCase& sample, const std::vector<double>& lengths) {
   LengthComparison comparison;
   const std::vector<WeightedLengths> laws = laws_of(sample);
   measure_means(laws, comparison);
   comparison.edges = sample.fibers.length_histogram.edges;
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
-  if (comparison.edges.empty() || comparison.edges.back() < longest)
+  const auto [shortest, longest_at] = std::minmax_element(lengths.begin(), lengths.end());
+  const double longest = *longest_at;
+  // The histogram of one kind need not hold the fibers of another.
+  if (comparison.edges.empty() || comparison.edges.back() < longest || comparison.edges.front() > *shortest)
     comparison.edges = bin_edges(longest, 2 * comparison.weight_average / bins_to_twice_weight_average);
   comparison.found = counts(lengths, comparison.edges);
   comparison.expected.assign(comparison.found.size(), 0.0);
