@@ -53,8 +53,10 @@ static inline __attribute__((always_inline)) void gather_pairs(const SegmentQuer
 static inline __attribute__((always_inline)) std::uint32_t belong_to_neighbour(
     const SegmentQuery& query, const Index* rods, const double* const* begin, const Pack& place,
     const Triple& other, std::uint32_t asked) {
-  const std::uint32_t at_begin = to_bits(place <= 0.0) & asked;
-  const std::uint32_t at_end = to_bits(place >= 1.0) & asked;
+  const Mask is_begin = place <= 0.0;
+  const Mask is_end = place >= 1.0;
+  const std::uint32_t at_begin = to_bits(is_begin) & asked;
+  const std::uint32_t at_end = to_bits(is_end) & asked;
   if ((at_begin | at_end) == 0) return 0;
   const double* end[lanes];
   const double* next[lanes];
@@ -75,7 +77,8 @@ static inline __attribute__((always_inline)) std::uint32_t belong_to_neighbour(
 static inline __attribute__((always_inline)) std::uint32_t special_pairs(const SegmentBlock& block, int at) {
   const IndexPack between = read_indices(block.second + at) - read_indices(block.first + at) - 2;
   const IndexPack is_own = (between | read_indices(block.image + at)) == 0;
-  return to_bits(load(block.distance + at) <= 0.0) | to_bits(__builtin_convertvector(is_own, Mask));
+  const Mask is_crossing = load(block.distance + at) <= 0.0;
+  return to_bits(is_crossing) | to_bits(__builtin_convertvector(is_own, Mask));
 }
 
 }  // namespace
