@@ -174,6 +174,7 @@ void write_results(const ClusterCase& values, const ResultFolder& folder, const 
 void tell(const Cluster& cluster, RunLog& log) {
   log.note(fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
                        100 * volume_fraction(cluster.state)));
+  warn_of_sinking_in(cluster.packing, log);
   if (!cluster.relaxed) return;
   if (cluster.relaxed->end == RelaxationEnd::met) {
     log.note(fmt::format("relaxed in {:.4g} ms", 1e3 * cluster.relaxed->simulated));

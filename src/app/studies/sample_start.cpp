@@ -32,6 +32,18 @@ StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, 
 
 }  // namespace
 
+void warn_of_sinking_in(const PackingReport& packing, RunLog& log) {
+  constexpr double harmless = 0.02;
+  if (packing.overlap_at_rest < harmless) return;
+  log.warn(
+      fmt::format("bent fibers press each other: under the contact law they sink in by up to {:.2g} "
+                  "diameters where nothing "
+                  "flows; less concentrated ones do not, nor bundles of seven and more (cluster.start = "
+                  "\"bundles\"), nor "
+                  "fibers under a larger contact.force_constant",
+                  packing.overlap_at_rest));
+}
+
 StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, Progress& progress) {
   if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, progress);
   StartingFibers fibers;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/progress.hpp"
+#include "app/run_log.hpp"
 #include "app/studies/sample_case.hpp"
 #include "fibers/state.hpp"
 #include "packing/packing_statistics.hpp"
@@ -30,5 +31,9 @@ struct PackingStopped {};
 /// Makes the fibers of a valid sample. Raises InputError when they cannot exist or be read.
 [[nodiscard]] StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request,
                                          Progress& progress);
+
+/// Warns when the fibers of a packing press so hard that they would sink into each other under the contact
+/// law, by more than 2 % of a diameter.
+void warn_of_sinking_in(const PackingReport& packing, RunLog& log);
 
 }  // namespace fiberfate

@@ -241,6 +241,7 @@ StopReason run_shear_cell(const ShearCellCase& values, const RunOptions& options
     StartingFibers fibers = make_fibers(
         values.sample, {values.dynamics.contact, values.boundary_y, values.dynamics.seed}, progress);
     start.state = std::move(fibers.state);
+    if (fibers.packing) warn_of_sinking_in(*fibers.packing, log);
   } catch (const PackingStopped&) {
     log.warn("stopped while packing; resuming will pack again");
     return StopReason::signal;
