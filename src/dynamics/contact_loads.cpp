@@ -47,9 +47,9 @@ void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& conte
                          {parameters_.friction, parameters_.slip_velocity},
                          constants_.data(),
                          static_cast<int>(materials_)};
-  parallel_for_weighted(pairs_.chunk_begins(), [&](std::ptrdiff_t c) {
+  parallel_for_weighted(pairs_.chunk_begin(), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
-    evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin(i));
+    evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin()[i]);
   });
   for (std::size_t w = 0; w < walls_.size(); ++w) wall_loads_.slot(slots_[w]) = wall_load(walls_[w], context);
 }

@@ -45,9 +45,8 @@ class PairForces {
   void deal(const ContactSet& contacts, Index nodes);
   [[nodiscard]] std::span<PairForce> forces() { return forces_; }
   [[nodiscard]] std::span<const PairForce> forces() const { return forces_; }
-  /// Number of the first force of a chunk of contacts.
-  [[nodiscard]] Index chunk_begin(std::size_t chunk) const { return chunk_begin_[chunk]; }
-  [[nodiscard]] std::span<const Index> chunk_begins() const { return chunk_begin_; }
+  /// Number of the first force of every chunk of contacts, and of all forces at the end.
+  [[nodiscard]] std::span<const Index> chunk_begin() const { return chunk_begin_; }
 
   [[nodiscard]] std::span<const Share> of_rod(Index rod) const {
     const auto r = static_cast<std::size_t>(rod);

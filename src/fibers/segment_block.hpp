@@ -32,8 +32,8 @@ struct SegmentBlock {
   /// Bits of the pairs that may come within range in the coming step; where two rods of a hinge may both
   /// touch a third one there, those of the one that does.
   std::uint8_t near[capacity / 8];
-  std::uint8_t
-      special[capacity / 8];  ///< bits of pairs whose rods may just have broken apart, or whose axes cross
+  /// Bits of the pairs whose rods may just have broken apart, or whose axes cross.
+  std::uint8_t special[capacity / 8];
 };
 
 /// Names pairs to be measured: entries of the arrays of RodPairs, and where their rods are.
