@@ -27,6 +27,17 @@ class CaseChecker {
 
   /// Reports an error at a key; where the key is not given, at the file.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
+  /// Does the work, reports what it finds wrong (InputError) at a key, and tells whether that is nothing.
+  template <class Work>
+  bool report_at(const std::string& key, const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const InputError& thrown) {
+      for (const InputProblem& found : thrown.problems()) error(key, found.complaint, found.remedy);
+      return false;
+    }
+  }
   /// Reports an error at one row (from 0) of a key that holds a list; at the key where it has no such row.
   void error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
                     const std::string& remedy);

@@ -50,13 +50,7 @@ std::string blamed(const std::string& key, const FiberKind& kind) {
 void validate_law(const FiberKind& kind, const std::string& table, const std::string& key,
                   CaseChecker& checker) {
   const LengthLaw law = length_law(kind);
-  try {
-    require_admissible(law);
-  } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems())
-      checker.error(blamed(key, kind), problem.complaint, problem.remedy);
-    return;
-  }
+  if (!checker.report_at(blamed(key, kind), [&law] { require_admissible(law); })) return;
   if (!(kind.diameter > 0)) return;
   const std::string diameter = checker.cite(table + ".diameter");
   if (number_average(law) < kind.diameter)

@@ -59,17 +59,6 @@ Texts direction_columns(const MeasuredDirectionChoices& choices) {
   return choices.form == DirectionForm::angles ? Texts{"theta", "phi"} : Texts{"p1", "p2", "p3"};
 }
 
-/// Reports what reading a list finds wrong at the key of its file.
-template <class Read>
-void check_list(const std::string& key, CaseChecker& checker, const Read& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems())
-      checker.error(key, problem.complaint, problem.remedy);
-  }
-}
-
 void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker) {
   if (lengths.file.empty()) {
     checker.warn_unused({"lengths.column", "lengths.number_column", "lengths.unit", "lengths.sample_diameter",
@@ -91,7 +80,7 @@ void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker
   }
   checker.check_file("lengths.file", lengths.file);
   if (checker.is_sound("lengths.file"))
-    check_list("lengths.file", checker, [&] { static_cast<void>(number_average(read_lengths(lengths))); });
+    checker.report_at("lengths.file", [&] { static_cast<void>(number_average(read_lengths(lengths))); });
 }
 
 void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecker& checker) {
@@ -119,8 +108,8 @@ void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecke
   checker.check_file("orientation.file", orientation.file);
   if (checker.is_sound("orientation.file") && checker.is_sound("orientation.columns") &&
       checker.is_sound("orientation.cut_normal") && checker.is_sound("orientation.aspect_ratio"))
-    check_list("orientation.file", checker,
-               [&] { static_cast<void>(second_moment(read_directions(orientation))); });
+    checker.report_at("orientation.file",
+                      [&] { static_cast<void>(second_moment(read_directions(orientation))); });
 }
 
 }  // namespace

@@ -119,17 +119,6 @@ double expected_rods(const SampleCase& sample) {
   return fraction * sample.cell_size->prod() * rods / shares;
 }
 
-/// Reports what is thrown at the key that is to blame.
-template <class Work>
-void report(const std::string& blamed, CaseChecker& checker, const Work& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    for (const InputProblem& problem : error.problems())
-      checker.error(blamed, problem.complaint, problem.remedy);
-  }
-}
-
 /// Finds what packing would refuse: fibers too few for their orientation, bundles too thick for their cell.
 void validate_packing(const SampleCase& sample, const Population& population, const std::string& blamed,
                       CaseChecker& checker) {
@@ -140,11 +129,11 @@ void validate_packing(const SampleCase& sample, const Population& population, co
   request.cell = rectangular_cell(population.cell_size);
   if (request.start != PackingStart::bundles) {
     if (request.fibers.size() < surely_enough)
-      report(blamed, checker, [&request] { static_cast<void>(draw_directions(request)); });
+      checker.report_at(blamed, [&request] { static_cast<void>(draw_directions(request)); });
     return;
   }
   const std::string key = "cluster.bundle_fibers";
-  report(key, checker, [&] { request = plan_bundles(request).bundles; });
+  checker.report_at(key, [&] { request = plan_bundles(request).bundles; });
   if (!checker.is_sound(key) || request.fibers.size() >= surely_enough) return;
   try {
     static_cast<void>(draw_directions(request));
@@ -165,7 +154,7 @@ void validate_plan(const SampleCase& sample, CaseChecker& checker) {
                   "take a smaller cell, fewer fibers or longer rods");
     return;
   }
-  report(blamed, checker, [&] {
+  checker.report_at(blamed, [&] {
     const Population population = plan_population(species(sample), concentration(sample), 1);
     const double densest = densest_fraction(sample.cluster.orientation);
     if (holds_orientation(sample.cluster.start) && sample.cluster.directions.empty() &&
