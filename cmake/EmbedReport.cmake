@@ -1,5 +1,5 @@
 # fiberfate_embed_report(TARGET) builds the HTML report's template with npm and puts it into TARGET as
-# report_template() of app/report_template.hpp. With FIBERFATE_REPORT=OFF the template is empty, and `fiberfate
+# report_template() of results/report_template.hpp. With FIBERFATE_REPORT=OFF the template is empty, and `fiberfate
 # report` says why.
 
 # Sets `out` to npm's program, or stops with the remedy.

@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(FIBERFATE_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/fiberfate")
 set(installed_modules "")
-foreach(module base io microstructure fibers packing dynamics continuum molding calibration)
+foreach(module base io microstructure fibers packing dynamics continuum molding calibration keys results studies)
   get_target_property(kind fiberfate_${module} TYPE)
   if(kind STREQUAL STATIC_LIBRARY)
     list(APPEND installed_modules fiberfate_${module})

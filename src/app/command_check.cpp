@@ -1,12 +1,14 @@
 // Prints a case as it would run.
 #include "app/command_check.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 
-#include "app/case_file.hpp"
+#include "keys/case_file.hpp"
 
 namespace fiberfate {
 namespace {
@@ -27,8 +29,8 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 int run_check(const CheckOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file, options.changes);
-  CaseEstimate estimate = loaded.study->estimate(loaded.values);
+  const LoadedCase loaded = load_case(options.case_file, case_kinds(), options.changes);
+  CaseEstimate estimate = study_of(loaded).estimate(loaded.values);
   estimate.facts.emplace_back("memory", memory_text(estimate.memory_bytes));
   estimate.facts.emplace_back(
       "wall time", fmt::format("{} ({})", duration_text(estimate.wall_seconds), estimate.assumption));
@@ -36,7 +38,7 @@ int run_check(const CheckOptions& options) {
   for (const auto& [name, value] : estimate.facts) width = std::max(width, name.size());
 
   for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
-  fmt::print("{}\n# What follows from it:\n", resolved_case(*loaded.study, loaded.values));
+  fmt::print("{}\n# What follows from it:\n", resolved_case(*loaded.kind, loaded.values));
   for (const auto& [name, value] : estimate.facts) fmt::print("#   {:<{}}  {}\n", name, width, value);
   return 0;
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/study.hpp"
+#include "studies/study.hpp"
 
 namespace fiberfate {
 

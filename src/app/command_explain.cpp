@@ -8,9 +8,9 @@
 #include <sstream>
 #include <vector>
 
-#include "app/key_facts.hpp"
-#include "app/study.hpp"
+#include "app/study_registry.hpp"
 #include "base/error.hpp"
+#include "keys/key_facts.hpp"
 
 namespace fiberfate {
 namespace {

@@ -1,19 +1,21 @@
 // Writes a result in other formats.
 #include "app/command_export.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
-#include "app/case_file.hpp"
-#include "app/fiber_frame.hpp"
-#include "app/result_folder.hpp"
-#include "app/studies/molding_run.hpp"
 #include "base/error.hpp"
 #include "io/csv_table.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "io/vtp_file.hpp"
+#include "keys/case_file.hpp"
+#include "results/fiber_frame.hpp"
+#include "results/result_folder.hpp"
+#include "studies/molding/run.hpp"
 
 namespace fiberfate {
 namespace {
@@ -86,11 +88,11 @@ int run_export(const ExportOptions& options) {
                                    : fmt::format("did you mean {}?", meant));
   }
   const ResultFolder folder = ResultFolder::open(options.folder);
-  const LoadedCase loaded = load_resolved_case(folder.resolved_case());
+  const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
   const auto* molding = std::any_cast<MoldingCase>(&loaded.values);
   if ((options.format == "abaqus") != (molding != nullptr) && options.format != "vtp")
     throw InputError(
-        fmt::format("a result of the study {} has no export '{}'", loaded.study->name, options.format),
+        fmt::format("a result of the study {} has no export '{}'", loaded.kind->name, options.format),
         molding != nullptr ? "take vtp or abaqus; the tables of this study are CSV already"
                            : "take vtp or csv; abaqus is for filled parts");
   const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;

@@ -1,15 +1,17 @@
 // Turns the input decks of the published program into a case.
 #include "app/command_import.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
 
-#include "app/case_file.hpp"
-#include "app/legacy_deck.hpp"
+#include "app/legacy/deck.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_table.hpp"
+#include "keys/case_file.hpp"
 
 namespace fiberfate {
 namespace {

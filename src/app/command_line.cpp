@@ -1,6 +1,8 @@
 // Reads the command line with CLI11, runs the command, and turns errors into messages and exit statuses.
 #include "app/command_line.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

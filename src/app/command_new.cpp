@@ -1,6 +1,8 @@
 // Writes new case files.
 #include "app/command_new.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -8,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/case_file.hpp"
 #include "app/gallery.hpp"
 #include "base/error.hpp"
+#include "keys/case_file.hpp"
 
 namespace fiberfate {
 namespace {

@@ -1,7 +1,7 @@
 // Declares the command resume.
 #pragma once
 
-#include "app/study.hpp"
+#include "studies/study.hpp"
 
 namespace fiberfate {
 

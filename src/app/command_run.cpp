@@ -1,15 +1,17 @@
 // Runs a case into a result folder.
 #include "app/command_run.hpp"
 
+#include "app/study_registry.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 
-#include "app/case_file.hpp"
-#include "app/result_folder.hpp"
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
+#include "keys/case_file.hpp"
+#include "results/result_folder.hpp"
 
 namespace fiberfate {
 namespace {
@@ -28,13 +30,13 @@ std::string default_folder(const std::string& case_file) {
 }  // namespace
 
 int run_run(const RunOptions& options) {
-  const LoadedCase loaded = load_case(options.case_file, options.changes);
+  const LoadedCase loaded = load_case(options.case_file, case_kinds(), options.changes);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
   ResultFolder folder = ResultFolder::create(path, options.existing);
   try {
-    replace_file(folder.resolved_case(), resolved_case(*loaded.study, loaded.values));
-    const StopReason reason = loaded.study->run(loaded.values, options, folder);
+    replace_file(folder.resolved_case(), resolved_case(*loaded.kind, loaded.values));
+    const StopReason reason = study_of(loaded).run(loaded.values, options, folder);
     fmt::print("{}: result in {}\n", name(reason), folder.path());
     return reason == StopReason::signal ? stopped_by_signal : 0;
   } catch (const InputError&) {

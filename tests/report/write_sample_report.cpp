@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "app/report_document.hpp"
+#include "results/report_document.hpp"
 
 namespace fiberfate {
 namespace {

@@ -18,7 +18,10 @@ ALLOWED = {
     "continuum": {"microstructure", "base"},
     "molding": {"continuum", "microstructure", "base"},
     "calibration": {"base"},
+    "keys": {"io", "continuum", "microstructure", "base"},
+    "results": {"io", "fibers", "base"},
 }
+ALLOWED["studies"] = set(ALLOWED)
 ALLOWED["app"] = set(ALLOWED)
 
 LONGEST_FILE = 400

@@ -1,5 +1,5 @@
 // Tests reading, checking and writing of whole cases.
-#include "app/case_file.hpp"
+#include "keys/case_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,9 @@
 
 #include "app/command_explain.hpp"
 #include "app/gallery.hpp"
-#include "app/studies/shear_cell_case.hpp"
+#include "app/study_registry.hpp"
 #include "base/error.hpp"
+#include "studies/shear_cell/case.hpp"
 
 namespace fiberfate {
 namespace {
@@ -39,7 +40,7 @@ const ShearCellCase& shear_cell(const LoadedCase& loaded) {
 
 std::string errors_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   try {
-    static_cast<void>(parse_case(text, "c.toml", overrides));
+    static_cast<void>(parse_case(text, "c.toml", case_kinds(), overrides));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -51,8 +52,8 @@ std::string with(const std::vector<std::string>& overrides) {
 }
 
 TEST(CaseFile, FillsTheStruct) {
-  const LoadedCase loaded =
-      parse_case(smallest_case, "c.toml", {"breakage.law=fixed", "breakage.critical_radius=300 um"});
+  const LoadedCase loaded = parse_case(smallest_case, "c.toml", case_kinds(),
+                                       {"breakage.law=fixed", "breakage.critical_radius=300 um"});
   const ShearCellCase& values = shear_cell(loaded);
   EXPECT_EQ(loaded.study->name, "shear_cell");
   EXPECT_EQ(values.sample.fibers.count, 10);
@@ -72,11 +73,11 @@ TEST(CaseFile, IsTheSameBitsAfterBeingResolved) {
        "-0.02222, 0.24444]]"},
       {"cell.size=[\"0.5 mm\", \"0.6 mm\", \"0.7 mm\"]", "output.histogram_times=[\"0.1 s\", \"0.3 s\"]"}};
   for (const auto& overrides : variants) {
-    const LoadedCase first = parse_case(smallest_case, "c.toml", overrides);
-    const std::string resolved = resolved_case(*first.study, first.values);
-    const LoadedCase second = parse_case(resolved, "case.resolved.toml");
+    const LoadedCase first = parse_case(smallest_case, "c.toml", case_kinds(), overrides);
+    const std::string resolved = resolved_case(*first.kind, first.values);
+    const LoadedCase second = parse_case(resolved, "case.resolved.toml", case_kinds());
     // Numbers are written with the fewest digits that name their bits, so equal texts are equal bits.
-    EXPECT_EQ(resolved_case(*second.study, second.values), resolved);
+    EXPECT_EQ(resolved_case(*second.kind, second.values), resolved);
     EXPECT_TRUE(second.warnings.empty());
     EXPECT_EQ(shear_cell(first).dynamics.seed, shear_cell(second).dynamics.seed);
     EXPECT_EQ(shear_cell(first).sample.cluster.orientation, shear_cell(second).sample.cluster.orientation);
@@ -87,15 +88,16 @@ TEST(CaseFile, KeepsATableOfFlow) {
   std::string text = smallest_case;
   text.replace(text.find("rate ="), 5, "kind = \"table\"\ntable = [[\"0.5 s\", 10, 300], [1, 20, 150]]\n#");
   text.replace(text.find("viscosity"), 1, "#");
-  const LoadedCase loaded = parse_case(text, "c.toml");
+  const LoadedCase loaded = parse_case(text, "c.toml", case_kinds());
   EXPECT_EQ(flow_history(shear_cell(loaded).flow).at(0.7).viscosity, 150);
-  const std::string resolved = resolved_case(*loaded.study, loaded.values);
-  EXPECT_EQ(shear_cell(parse_case(resolved, "r.toml")).flow.table, shear_cell(loaded).flow.table);
+  const std::string resolved = resolved_case(*loaded.kind, loaded.values);
+  EXPECT_EQ(shear_cell(parse_case(resolved, "r.toml", case_kinds())).flow.table,
+            shear_cell(loaded).flow.table);
 }
 
 TEST(CaseFile, TemplatesOfTheParticleLevelCanBeRunAsTheyAre) {
   for (const std::string name : {"shear_cell", "cluster"}) {
-    const LoadedCase loaded = parse_case(case_template(*find_study(name)), name + ".toml");
+    const LoadedCase loaded = parse_case(case_template(*find_study(name)), name + ".toml", case_kinds());
     EXPECT_TRUE(loaded.warnings.empty()) << loaded.warnings.front();
   }
 }
@@ -103,7 +105,7 @@ TEST(CaseFile, TemplatesOfTheParticleLevelCanBeRunAsTheyAre) {
 TEST(CaseFile, TemplatesAreWrongInNothingButWhatTheUserMustAdd) {
   for (const Study& study : studies()) {
     try {
-      static_cast<void>(parse_case(case_template(study), study.name + ".toml"));
+      static_cast<void>(parse_case(case_template(study), study.name + ".toml", case_kinds()));
     } catch (const InputError& error) {
       for (const InputProblem& problem : error.problems())
         EXPECT_TRUE(problem.complaint.starts_with("not given")) << problem.message();
@@ -113,9 +115,10 @@ TEST(CaseFile, TemplatesAreWrongInNothingButWhatTheUserMustAdd) {
 
 TEST(CaseFile, AnnotatedCasesReadBackAsTheyWere) {
   const LoadedCase loaded =
-      parse_case(smallest_case, "c.toml", {"step.initial=12.5 us", "contact.friction=0.45"});
-  const LoadedCase again = parse_case(annotated_case(*loaded.study, loaded.values), "again.toml");
-  EXPECT_EQ(resolved_case(*again.study, again.values), resolved_case(*loaded.study, loaded.values));
+      parse_case(smallest_case, "c.toml", case_kinds(), {"step.initial=12.5 us", "contact.friction=0.45"});
+  const LoadedCase again =
+      parse_case(annotated_case(*loaded.kind, loaded.values), "again.toml", case_kinds());
+  EXPECT_EQ(resolved_case(*again.kind, again.values), resolved_case(*loaded.kind, loaded.values));
 }
 
 TEST(KeyTable, EveryKeyIsExplainedAndItsExampleIsRead) {
@@ -150,13 +153,13 @@ TEST(Gallery, EveryCaseAndVariantIsValid) {
   for (const GalleryFile& file : gallery_files()) {
     if (file.name != "case.toml") continue;
     const std::string path = FIBERFATE_SOURCE_DIR "/cases/" + std::string(file.case_name);
-    const LoadedCase loaded = load_case(path + "/case.toml");
+    const LoadedCase loaded = load_case(path + "/case.toml", case_kinds());
     EXPECT_TRUE(loaded.warnings.empty()) << path;
     if (!std::filesystem::exists(path + "/variants.toml")) continue;
     const TomlDocument variants = TomlDocument::read(path + "/variants.toml");
     for (const TomlTable& variant : variants.tables()) {
-      EXPECT_NO_THROW(
-          static_cast<void>(load_case(path + "/case.toml", {.variants = {variant.name}, .overrides = {}})))
+      EXPECT_NO_THROW(static_cast<void>(
+          load_case(path + "/case.toml", case_kinds(), {.variants = {variant.name}, .overrides = {}})))
           << path << " " << variant.name;
     }
   }
@@ -238,7 +241,7 @@ TEST(Sample, RefusesWhatCannotBe) {
 }
 
 TEST(Sample, ASingleFiberLiesInTheMiddleOfItsCell) {
-  const LoadedCase loaded = load_case(FIBERFATE_SOURCE_DIR "/cases/02_segmentation/case.toml");
+  const LoadedCase loaded = load_case(FIBERFATE_SOURCE_DIR "/cases/02_segmentation/case.toml", case_kinds());
   const FiberState state = single_fiber(shear_cell(loaded).sample);
   EXPECT_EQ(state.fiber_count(), 1);
   EXPECT_EQ(state.rod_count(), 25);
@@ -267,7 +270,8 @@ TEST(ShearCell, FindsContradictionsOfItsOwn) {
 }
 
 TEST(ShearCell, WarnsOfKeysThatNothingReads) {
-  const LoadedCase loaded = parse_case(smallest_case, "c.toml", {"breakage.critical_radius=200 um"});
+  const LoadedCase loaded =
+      parse_case(smallest_case, "c.toml", case_kinds(), {"breakage.critical_radius=200 um"});
   ASSERT_EQ(loaded.warnings.size(), 1u);
   EXPECT_EQ(loaded.warnings[0],
             "command line: breakage.critical_radius = \"200 um\": has no effect: only breakage.law "

@@ -1,11 +1,12 @@
 // Tests how a case takes what it leaves out from a material.
-#include "app/material_presets.hpp"
+#include "keys/material_presets.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/case_file.hpp"
-#include "app/studies/molding_case.hpp"
+#include "app/study_registry.hpp"
 #include "base/error.hpp"
+#include "keys/case_file.hpp"
+#include "studies/molding/case.hpp"
 
 namespace fiberfate {
 namespace {
@@ -27,7 +28,7 @@ length = "2 mm"
 )";
 
 MoldingCase read(const std::vector<std::string>& overrides = {}) {
-  return std::any_cast<MoldingCase>(parse_case(plaque, "case.toml", overrides).values);
+  return std::any_cast<MoldingCase>(parse_case(plaque, "case.toml", case_kinds(), overrides).values);
 }
 
 TEST(MaterialPreset, FillsInWhatTheCaseLeavesOut) {
@@ -46,10 +47,11 @@ TEST(MaterialPreset, GivesWayToTheCase) {
 }
 
 TEST(MaterialPreset, IsNotNeededByTheResolvedCase) {
-  const LoadedCase loaded = parse_case(plaque, "case.toml");
-  const std::string text = resolved_case(*loaded.study, loaded.values);
+  const LoadedCase loaded = parse_case(plaque, "case.toml", case_kinds());
+  const std::string text = resolved_case(*loaded.kind, loaded.values);
   EXPECT_EQ(text.find("ppgf30"), std::string::npos);
-  const MoldingCase again = std::any_cast<MoldingCase>(parse_case(text, "case.resolved.toml").values);
+  const MoldingCase again =
+      std::any_cast<MoldingCase>(parse_case(text, "case.resolved.toml", case_kinds()).values);
   EXPECT_EQ(again.melt.parameters.at("D1"), read().melt.parameters.at("D1"));
 }
 

@@ -1,0 +1,103 @@
+// Collects what is wrong between the keys of a case.
+#include "keys/case_checker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace fiberfate {
+namespace {
+
+/// Finds the list that a key holds; null when it is not given or holds something else.
+const std::vector<TomlValue>* rows_of(const TomlDocument& document, const std::string& key) {
+  const TomlEntry* entry = document.find(key);
+  return entry == nullptr ? nullptr : std::get_if<std::vector<TomlValue>>(&entry->value.data);
+}
+
+bool begins_with(std::string_view name, const TomlValue& row) {
+  const auto* items = std::get_if<std::vector<TomlValue>>(&row.data);
+  if (items == nullptr || items->empty()) return false;
+  const auto* first = std::get_if<std::string>(&items->front().data);
+  return first != nullptr && *first == name;
+}
+
+}  // namespace
+
+InputProblem problem_at_key(const TomlDocument& document, const std::string& key) {
+  if (const TomlEntry* entry = document.find(key)) return problem_at(*entry);
+  InputProblem problem;
+  problem.file = document.name();
+  problem.key = key;
+  for (const TomlTable& table : document.tables()) {
+    if (key != table.name + key.substr(std::min(key.size(), key.rfind('.')))) continue;
+    problem.file = table.place.file;
+    problem.line = table.place.line;
+    problem.column = table.place.column;
+  }
+  return problem;
+}
+
+InputProblem CaseChecker::problem(const std::string& key, const std::string& complaint,
+                                  const std::string& remedy) const {
+  InputProblem problem = problem_at_key(document_, key);
+  problem.complaint = complaint;
+  problem.remedy = remedy;
+  return problem;
+}
+
+void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
+  if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
+}
+
+void CaseChecker::error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
+                               const std::string& remedy) {
+  if (!is_sound(key)) return;
+  InputProblem found = problem(key, complaint, remedy);
+  const std::vector<TomlValue>* rows = rows_of(document_, key);
+  if (rows != nullptr && row < rows->size()) {
+    found.line = (*rows)[row].place.line;
+    found.column = (*rows)[row].place.column;
+    found.value = (*rows)[row].written;
+  }
+  errors_.push_back(std::move(found));
+}
+
+void CaseChecker::error_in_row(const std::string& key, std::string_view name, const std::string& complaint,
+                               const std::string& remedy) {
+  const std::vector<TomlValue>* rows = rows_of(document_, key);
+  std::size_t row = 0;
+  while (rows != nullptr && row < rows->size() && !begins_with(name, (*rows)[row])) ++row;
+  error_in_row(key, row, complaint, remedy);
+}
+
+void CaseChecker::warn(const std::string& key, const std::string& complaint, const std::string& remedy) {
+  warnings_.push_back(problem(key, complaint, remedy));
+}
+
+void CaseChecker::warn_unused(const std::vector<std::string>& keys, const std::string& reader) {
+  if (is_given("version")) return;
+  for (const std::string& key : keys)
+    if (is_given(key)) warn(key, "has no effect", "only " + reader + " reads it");
+}
+
+bool CaseChecker::is_sound(const std::string& key) const {
+  return std::none_of(errors_.begin(), errors_.end(),
+                      [&key](const InputProblem& one) { return one.key == key; });
+}
+
+std::string CaseChecker::cite(const std::string& key) const {
+  const TomlEntry* entry = document_.find(key);
+  if (entry == nullptr) return key;
+  const InputPlace& place = entry->value.place;
+  const std::string where = place.line > 0 ? fmt::format("line {}", place.line) : place.file;
+  return fmt::format("{} = {} ({})", key, entry->value.written, where);
+}
+
+void CaseChecker::check_file(const std::string& key, const std::string& path) {
+  if (named_files_ == NamedFiles::may_be_gone || path.empty()) return;
+  if (!std::ifstream(path))
+    error(key, "there is no such file", fmt::format("check the path; it means '{}'", path));
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,190 @@
+// Saves and restores runs as HDF5 files.
+#include "results/fiber_checkpoint.hpp"
+
+#include <filesystem>
+#include <span>
+
+#include "base/error.hpp"
+#include "results/checkpoint_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+template <class T>
+std::span<const T> view(const std::vector<T>& values) {
+  return {values.data(), values.size()};
+}
+
+std::vector<double> flattened(const std::vector<Vec3>& vectors) {
+  std::vector<double> numbers;
+  numbers.reserve(3 * vectors.size());
+  for (const Vec3& vector : vectors) numbers.insert(numbers.end(), vector.data(), vector.data() + 3);
+  return numbers;
+}
+
+std::vector<Vec3> vectors_of(const std::vector<double>& numbers) {
+  std::vector<Vec3> vectors(numbers.size() / 3);
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Vec3(&numbers[3 * i]);
+  return vectors;
+}
+
+/// Writes numbers as dataset of a group, or reads them back: one list of names serves both ways.
+class Saver {
+ public:
+  explicit Saver(Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, const std::vector<T>& values) {
+    file_.write(name, view(values));
+  }
+  void array(const std::string& name, const std::vector<Vec3>& values) {
+    const std::vector<double> numbers = flattened(values);
+    file_.write(name, view(numbers), 3);
+  }
+  template <class T>
+  void number(const std::string& group, const char* name, T value) {
+    file_.write_attribute(group, name, value);
+  }
+  void group(const std::string& name) { file_.make_group(name); }
+
+ private:
+  Hdf5File& file_;
+};
+
+class Loader {
+ public:
+  explicit Loader(const Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, std::vector<T>& values) {
+    values = file_.read<T>(name);
+  }
+  void array(const std::string& name, std::vector<Vec3>& values) {
+    values = vectors_of(file_.read<double>(name));
+  }
+  template <class T>
+  void number(const std::string& group, const char* name, T& value) {
+    value = file_.read_attribute<T>(group, name);
+  }
+  void group(const std::string&) {}
+
+ private:
+  const Hdf5File& file_;
+};
+
+/// Names every part of the state once, for saving and for loading.
+template <class Visitor, class State>
+void visit_state(Visitor& visitor, State& state) {
+  visitor.group("state");
+  visitor.array("state/position", state.position);
+  visitor.array("state/relative_velocity", state.relative_velocity);
+  visitor.array("state/rod_length", state.rod_length);
+  visitor.array("state/first_node", state.first_node);
+  visitor.array("state/birth_id", state.birth_id);
+  visitor.array("state/birth_node", state.birth_node);
+  visitor.array("state/material_id", state.material_id);
+  visitor.array("state/touches_previous", state.touches_previous);
+  visitor.number("state", "time", state.time);
+  visitor.number("state", "step_size", state.step_size);
+  visitor.number("state", "step", state.step);
+  visitor.number("state", "rod_steps", state.rod_steps);
+  visitor.number("state", "breakage_checks", state.breakage_checks);
+  visitor.number("state", "breaks", state.breaks);
+}
+
+template <class Visitor, class Record>
+void visit_record(Visitor& visitor, Record& record) {
+  visitor.group("record");
+  visitor.number("record", "series_rows", record.series_rows);
+  visitor.number("record", "break_rows", record.break_rows);
+  visitor.number("record", "frames", record.frames);
+  visitor.number("record", "rejections", record.rejections);
+  visitor.number("record", "wall_s", record.wall_s);
+  visitor.number("record", "cpu_s", record.cpu_s);
+}
+
+void write_rest(Hdf5File& file, const Checkpoint& checkpoint) {
+  const FiberState& state = checkpoint.state;
+  std::vector<double> lattice(state.cell.lattice.data(), state.cell.lattice.data() + 9);
+  std::vector<std::uint8_t> boundary;
+  for (const Boundary one : state.cell.boundary) boundary.push_back(one == Boundary::walls ? 1 : 0);
+  std::vector<double> materials;
+  for (const FiberMaterial& material : state.materials)
+    materials.insert(materials.end(), {material.radius, material.youngs_modulus, material.density});
+  std::vector<double> seconds;
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    seconds.push_back(checkpoint.record.times.seconds(static_cast<Phase>(phase)));
+  file.write("state/lattice", view(lattice), 3);
+  file.write("state/boundary", view(boundary));
+  file.write("state/materials", view(materials), 3);
+  file.write("record/timings", view(seconds));
+  file.write_text("case", checkpoint.resolved_case);
+}
+
+void read_rest(const Hdf5File& file, Checkpoint& checkpoint) {
+  FiberState& state = checkpoint.state;
+  state.cell.lattice = Mat3(file.read<double>("state/lattice").data());
+  const auto boundary = file.read<std::uint8_t>("state/boundary");
+  for (std::size_t i = 0; i < 3; ++i)
+    state.cell.boundary[i] = boundary.at(i) == 1 ? Boundary::walls : Boundary::periodic;
+  const auto materials = file.read<double>("state/materials");
+  for (std::size_t i = 0; i + 2 < materials.size(); i += 3)
+    state.materials.push_back({materials[i], materials[i + 1], materials[i + 2]});
+  const auto seconds = file.read<double>("record/timings");
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    checkpoint.record.times.add(static_cast<Phase>(phase), seconds.at(phase));
+  checkpoint.resolved_case = file.read_text("case");
+}
+
+/// Tells whether offsets and arrays belong together, so that damage that HDF5 does not see is caught here.
+bool is_whole(const FiberState& state) {
+  const auto nodes = state.position.size();
+  const auto fibers = state.birth_id.size();
+  return state.relative_velocity.size() == nodes && state.rod_length.size() == nodes &&
+         state.first_node.size() == fibers + 1 && state.birth_node.size() == fibers &&
+         state.material_id.size() == fibers && state.touches_previous.size() == fibers &&
+         static_cast<std::size_t>(state.first_node.back()) == nodes;
+}
+
+/// Fills a new checkpoint file.
+CheckpointBody body_of(const Checkpoint& checkpoint) {
+  return [&checkpoint](Hdf5File& file) {
+    Saver saver(file);
+    visit_state(saver, checkpoint.state);
+    visit_record(saver, checkpoint.record);
+    write_rest(file, checkpoint);
+  };
+}
+
+}  // namespace
+
+void write_checkpoint(const std::string& path, const Checkpoint& checkpoint) {
+  write_checkpoint_file(path, body_of(checkpoint));
+}
+
+Checkpoint read_checkpoint(const std::string& path) {
+  const Hdf5File file = open_checkpoint_file(path);
+  Checkpoint checkpoint;
+  Loader loader(file);
+  visit_state(loader, checkpoint.state);
+  visit_record(loader, checkpoint.record);
+  read_rest(file, checkpoint);
+  if (!is_whole(checkpoint.state))
+    throw StorageError("cannot read " + path + ": its arrays do not belong together");
+  return checkpoint;
+}
+
+void save_checkpoint(const ResultFolder& folder, const Checkpoint& checkpoint) {
+  rotate_checkpoints(folder, body_of(checkpoint));
+}
+
+Checkpoint load_checkpoint(const ResultFolder& folder, RunLog& log) {
+  Checkpoint checkpoint;
+  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_checkpoint(path); });
+  return checkpoint;
+}
+
+bool has_checkpoint(const ResultFolder& folder) {
+  return std::filesystem::exists(folder.checkpoint()) ||
+         std::filesystem::exists(folder.previous_checkpoint());
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,133 @@
+// Writes and reads summary.json.
+#include "results/summary.hpp"
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "base/threads.hpp"
+#include "base/version.hpp"
+#include "fibers/observables.hpp"
+#include "io/atomic_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int indent = 2;
+
+Json json_of(const Mat3& tensor) {
+  Json rows = Json::array();
+  for (int i = 0; i < 3; ++i) rows.push_back({tensor(i, 0), tensor(i, 1), tensor(i, 2)});
+  return rows;
+}
+
+Json json_of(const SummaryValue& value) {
+  return std::visit(
+      [](const auto& one) -> Json {
+        if constexpr (std::is_same_v<std::decay_t<decltype(one)>, Mat3>)
+          return json_of(one);
+        else
+          return one;
+      },
+      value);
+}
+
+Json timings_of(const PhaseTimes& times) {
+  Json timings;
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    timings[phase_names[phase]] = times.seconds(static_cast<Phase>(phase));
+  return timings;
+}
+
+}  // namespace
+
+void describe_fibers(RunSummary& summary, const FiberState& state) {
+  const MeanLengths lengths = mean_lengths(state);
+  summary.threads = thread_count();
+  summary.simulated_s = state.time;
+  summary.steps = state.step;
+  summary.rods = state.rod_count();
+  summary.fibers = state.fiber_count();
+  summary.number_average = lengths.number_average;
+  summary.weight_average = lengths.weight_average;
+  summary.orientation = orientation_tensor(state, Weighting::length);
+  summary.breaks = state.breaks;
+  summary.volume_fraction = volume_fraction(state);
+}
+
+void write_summary(const std::string& path, const RunSummary& summary) {
+  Json json;
+  json["study"] = summary.study;
+  json["version"] = version;
+  json["stop_reason"] = name(summary.stop_reason);
+  json["seed"] = summary.seed;
+  json["threads"] = summary.threads;
+  json["ranks"] = 1;
+  json["simulated_s"] = summary.simulated_s;
+  json["steps"] = summary.steps;
+  json["wall_s"] = summary.wall_s;
+  json["cpu_s"] = summary.cpu_s;
+  json["rods"] = summary.rods;
+  json["fibers"] = summary.fibers;
+  json["segment_steps_per_s"] = summary.segment_steps_per_s;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["L_N_m"] = summary.number_average;
+  json["L_W_m"] = summary.weight_average;
+  json["A2"] = json_of(summary.orientation);
+  json["breaks"] = summary.breaks;
+  json["volume_fraction"] = summary.volume_fraction;
+  json["max_overlap_radii"] = summary.max_overlap;
+  json["timings"] = timings_of(summary.timings);
+  for (const auto& [key, value] : summary.own) json[key] = json_of(value);
+  replace_file(path, json.dump(indent) + '\n');
+}
+
+/// Holds the parsed file, so that the header need not know the JSON library.
+struct SummaryFile::Document {
+  Json json;
+};
+
+SummaryFile::SummaryFile(const std::string& path) : document_(std::make_unique<Document>()) {
+  try {
+    document_->json = Json::parse(read_file(path));
+  } catch (const Json::parse_error& error) {
+    throw StorageError("cannot read " + path + ": " + error.what());
+  }
+}
+SummaryFile::~SummaryFile() = default;
+
+double SummaryFile::number(const std::string& key) const {
+  const auto found = document_->json.find(key);
+  return found != document_->json.end() && found->is_number() ? found->get<double>()
+                                                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::int64_t SummaryFile::count(const std::string& key) const {
+  return document_->json.value(key, std::int64_t{0});
+}
+
+std::string SummaryFile::text(const std::string& key) const {
+  return document_->json.value(key, std::string{});
+}
+
+Mat3 SummaryFile::tensor(const std::string& key) const {
+  Mat3 tensor = Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const auto found = document_->json.find(key);
+  if (found == document_->json.end()) return tensor;
+  for (std::size_t i = 0; i < 9; ++i)
+    tensor(static_cast<int>(i / 3), static_cast<int>(i % 3)) = found->at(i / 3).at(i % 3).get<double>();
+  return tensor;
+}
+
+std::vector<double> SummaryFile::numbers(const std::string& key) const {
+  return document_->json.value(key, std::vector<double>{});
+}
+
+std::vector<double> SummaryFile::timings() const {
+  std::vector<double> seconds;
+  for (const char* phase : phase_names) seconds.push_back(document_->json["timings"].value(phase, 0.0));
+  return seconds;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,114 @@
+// Holds a case of the study calibration: a law, the conditions of experiments, and what was measured in them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "calibration/fit_problem.hpp"
+#include "keys/case_checker.hpp"
+#include "keys/key_table.hpp"
+#include "keys/law_choice.hpp"
+#include "studies/attrition/case.hpp"
+#include "studies/molding/case.hpp"
+#include "studies/orientation/case.hpp"
+#include "studies/study.hpp"
+
+namespace fiberfate {
+
+/// Holds [conditions]: lists with one entry a condition, or one for all.
+struct CalibrationConditions {
+  std::vector<std::string> names;
+  std::vector<double> rates;   ///< 1/s
+  std::vector<double> speeds;  ///< revolutions per minute, instead of rates
+  CouetteRheometer couette = {0.021, 0.027};
+  std::vector<double> viscosities;                 ///< Pa s, instead of [melt]
+  std::vector<double> temperatures;                ///< K, for [melt]
+  std::vector<double> pressures;                   ///< Pa, for [melt]
+  std::vector<double> lengths;                     ///< at the start, m
+  std::vector<std::vector<std::string>> moldings;  ///< rows (case file of the study molding, change, …)
+  std::vector<double> compressions;
+  std::vector<std::string> flows;  ///< shear, planar, uniaxial, biaxial; for orientation
+  ShearGradient shear_gradient = ShearGradient::y;
+  Mat3 orientation = Mat3::Identity() / 3;  ///< A2 at the start
+};
+
+/// Chooses whether conditions share their parameters.
+enum class FitScope { together, separately };
+
+/// Holds what was measured of one mean length at one place of a molded part.
+struct MoldedLengths {
+  std::string condition, place;
+  MeasuredMean mean = MeasuredMean::number_average;
+  std::vector<double> samples;  ///< m
+};
+
+/// Holds [data].
+struct CalibrationData {
+  std::vector<std::vector<std::string>> series;  ///< rows (condition, quantity, file or value[, time])
+  std::vector<MoldedLengths> lengths;
+  double relative_uncertainty = 0.02;  ///< of lengths and rate constants
+  double absolute_uncertainty = 0.02;  ///< of components of A2 and of shares in histograms
+  NoiseScale noise = NoiseScale::estimated;
+};
+
+/// Chooses whether intervals are found by profiles, too.
+enum class ProfileChoice { all, none };
+
+/// Holds [fit].
+struct CalibrationSearch {
+  std::vector<std::string> free;
+  std::vector<std::string> linear;               ///< free parameters searched by value, not logarithm
+  std::vector<std::vector<std::string>> bounds;  ///< rows (parameter, lower, upper)
+  FitScope scope = FitScope::together;
+  std::int64_t starts = 1;
+  double level = 0.95;
+  ProfileChoice profiles = ProfileChoice::all;
+  std::int64_t bootstrap = 0;  ///< samples
+  std::int64_t seed = 1;
+};
+
+/// Holds [sweep]; no parameter: none.
+struct CalibrationSweep {
+  std::string parameter;
+  std::optional<double> lower, upper;  ///< in the SI unit of the parameter
+  std::int64_t count = 50;
+  ParameterScale spacing = ParameterScale::logarithmic;
+};
+
+struct CalibrationCase {
+  LawChoice law;          ///< attrition
+  LawChoice orientation;  ///< or orientation
+  std::string closure = "ibof";
+  LawChoice melt = {"newtonian", {}};
+  AttritionFiberChoices fibers;  ///< lengths at the start of every condition, and how they are followed
+  CalibrationConditions conditions;
+  CalibrationData data;
+  CalibrationSearch search;
+  CalibrationSweep sweep;
+};
+
+void describe_calibration(KeyTable& table, CalibrationCase& values);
+/// Adds the keys that are about molded parts.
+void describe_moldings(KeyTable& table, CalibrationConditions& conditions);
+void describe_molded_lengths(KeyTable& table, CalibrationData& data);
+/// Checks what belongs to calibration in molds only.
+void validate_moldings(const CalibrationCase& values, CaseChecker& checker);
+/// Adds to an estimate what its moldings need.
+[[nodiscard]] CaseEstimate molded_estimate(const CalibrationCase& values, CaseEstimate estimate);
+void validate_calibration(const CalibrationCase& values, CaseChecker& checker);
+[[nodiscard]] CaseEstimate estimate_calibration(const CalibrationCase& values);
+
+/// Tells whether the case calibrates an orientation law.
+[[nodiscard]] inline bool calibrates_orientation(const CalibrationCase& values) {
+  return !values.orientation.name.empty();
+}
+/// Tells whether the conditions are moldings: parts that fill.
+[[nodiscard]] inline bool calibrates_in_molds(const CalibrationCase& values) {
+  return !values.conditions.moldings.empty();
+}
+/// Gives the menu and the choice of the law that the case calibrates.
+[[nodiscard]] const LawMenu& calibrated_menu(const CalibrationCase& values);
+[[nodiscard]] const LawChoice& calibrated_law(const CalibrationCase& values);
+
+}  // namespace fiberfate

@@ -1,0 +1,142 @@
+// Reads measured series from CSV files and single values from the case.
+#include "studies/calibration/data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/units.hpp"
+#include "io/csv_table.hpp"
+#include "studies/calibration/molds.hpp"
+
+namespace fiberfate {
+namespace {
+
+struct Quantity {
+  const char* name;
+  const char* column;  ///< of a CSV file; empty: a single value
+  const char* unit;
+  Observed observed;
+  int row = 0, column_of_tensor = 0;
+};
+
+constexpr Quantity quantities[] = {{"L_N", "L_N_m", "m", Observed::number_average},
+                                   {"L_W", "L_W_m", "m", Observed::weight_average},
+                                   {"L_inf", "", "m", Observed::final_length},
+                                   {"k_f", "", "1/s", Observed::rate_constant},
+                                   {"histogram", "number_share", "1", Observed::histogram},
+                                   {"a11", "a11", "1", Observed::orientation, 0, 0},
+                                   {"a22", "a22", "1", Observed::orientation, 1, 1},
+                                   {"a33", "a33", "1", Observed::orientation, 2, 2},
+                                   {"a12", "a12", "1", Observed::orientation, 0, 1},
+                                   {"a13", "a13", "1", Observed::orientation, 0, 2},
+                                   {"a23", "a23", "1", Observed::orientation, 1, 2}};
+
+const Quantity& quantity_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Quantity& one : quantities) {
+    if (one.name == name) return one;
+    names.emplace_back(one.name);
+  }
+  throw InputError(fmt::format("there is no quantity '{}'", name),
+                   fmt::format("give one of {}", fmt::join(names, ", ")));
+}
+
+double value_in(const std::string& text, const std::string& unit) {
+  try {
+    return quantity_in_si(text, unit);
+  } catch (const std::invalid_argument& problem) {
+    throw InputError(problem.what(), fmt::format("give a value in {}", unit));
+  }
+}
+
+void read_histogram(const CsvTable& table, const std::string& time, MeasuredSeries& series) {
+  const std::vector<double>& low = table.column("length_low_m");
+  const std::vector<double>& high = table.column("length_high_m");
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (!(low[i] < high[i]) || (i > 0 && low[i] != high[i - 1]))
+      throw InputError("the bins of a histogram do not join",
+                       "let every bin begin where the one before ends");
+    series.edges.push_back(low[i]);
+  }
+  if (!high.empty()) series.edges.push_back(high.back());
+  series.times.assign(low.size(), value_in(time, "s"));
+}
+
+void read_file(const std::vector<std::string>& row, const Quantity& quantity, MeasuredSeries& series) {
+  const CsvTable table = read_csv(row[2]);
+  series.values = table.column(quantity.column);
+  if (quantity.observed == Observed::histogram) {
+    if (row.size() < 4)
+      throw InputError("a histogram has no time", "give rows [condition, \"histogram\", file, time]");
+    read_histogram(table, row[3], series);
+  } else {
+    series.times = table.column("time_s");
+  }
+  const std::string deviations = std::string(quantity.column) + "_sd";
+  if (std::find(table.columns.begin(), table.columns.end(), deviations) != table.columns.end())
+    series.deviations = table.column(deviations);
+  for (const double time : series.times)
+    if (!(time >= 0)) throw InputError("a time is negative", "count times from the start of the condition");
+}
+
+void fill_deviations(const CalibrationData& data, MeasuredSeries& series) {
+  if (!series.deviations.empty()) return;
+  const bool absolute = series.observed == Observed::orientation || series.observed == Observed::histogram;
+  for (const double value : series.values)
+    series.deviations.push_back(absolute ? data.absolute_uncertainty
+                                         : data.relative_uncertainty * std::abs(value));
+}
+
+MeasuredSeries read_series(const CalibrationCase& values, const std::vector<std::string>& row) {
+  const std::vector<std::string>& names = values.conditions.names;
+  const auto condition = std::find(names.begin(), names.end(), row[0]);
+  if (condition == names.end())
+    throw InputError(fmt::format("there is no condition '{}'", row[0]),
+                     fmt::format("conditions.names are {}", fmt::join(names, ", ")));
+  const Quantity& quantity = quantity_named(row[1]);
+  const bool orientation = quantity.observed == Observed::orientation;
+  if (orientation != calibrates_orientation(values))
+    throw InputError(
+        fmt::format("{} does not belong to an {} law", row[1], orientation ? "attrition" : "orientation"),
+        "give the other kind of law, or other data");
+  MeasuredSeries series;
+  series.name = fmt::format("{}: {}", row[0], row[1]);
+  series.unit = quantity.unit;
+  series.condition = static_cast<std::size_t>(condition - names.begin());
+  series.observed = quantity.observed;
+  series.row = quantity.row;
+  series.column = quantity.column_of_tensor;
+  if (*quantity.column == '\0') {
+    series.times = {0};
+    series.values = {value_in(row[2], quantity.unit)};
+  } else {
+    read_file(row, quantity, series);
+  }
+  fill_deviations(values.data, series);
+  return series;
+}
+
+}  // namespace
+
+std::vector<MeasuredSeries> read_measurements(const CalibrationCase& values) {
+  if (calibrates_in_molds(values)) return molded_series(values);
+  std::vector<MeasuredSeries> all;
+  for (std::size_t i = 0; i < values.data.series.size(); ++i) {
+    const auto refuse = [i](const std::string& complaint, const std::string& remedy) {
+      throw InputError({{"", static_cast<int>(i) + 1, 0, "data.series", "", complaint, remedy}});
+    };
+    try {
+      all.push_back(read_series(values, values.data.series[i]));
+    } catch (const StorageError& error) {
+      refuse(error.what(), "give the path of a CSV file, relative to the case file");
+    } catch (const InputError& error) {
+      refuse(error.problems().front().complaint, error.problems().front().remedy);
+    }
+  }
+  return all;
+}
+
+}  // namespace fiberfate

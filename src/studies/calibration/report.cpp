@@ -1,0 +1,237 @@
+// Builds the report of the study calibration from the files of its result folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+
+#include "io/csv_table.hpp"
+#include "results/result_folder.hpp"
+#include "results/summary.hpp"
+#include "studies/calibration/data.hpp"
+#include "studies/calibration/mold_report.hpp"
+#include "studies/calibration/run.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Names one fit of the run: its number in the tables, the prefix of its keys, its heading.
+struct FitName {
+  double number;
+  std::string prefix, heading;
+};
+
+std::vector<FitName> fit_names(const CalibrationCase& values) {
+  if (values.search.scope == FitScope::together) return {{0, "", ""}};
+  std::vector<FitName> names;
+  for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
+    std::string key;
+    for (const char letter : values.conditions.names[i])
+      key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+    names.push_back({static_cast<double>(i), key + "_", ", " + values.conditions.names[i]});
+  }
+  return names;
+}
+
+/// Picks the values of a column in rows where the two leading columns have these numbers.
+std::vector<double> pick(const CsvTable& table, double fit, double second, const std::string& column) {
+  std::vector<double> picked;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (table.values[0][i] == fit && table.values[1][i] == second) picked.push_back(table.column(column)[i]);
+  return picked;
+}
+
+FactsSection asked(const CalibrationCase& values) {
+  FactsSection section{"asked", "What was asked",
+                       law_facts(calibrated_menu(values), "Law", calibrated_law(values))};
+  section.rows.push_back({"Fitted", fmt::format("{}", fmt::join(values.search.free, ", "))});
+  if (calibrates_orientation(values)) section.rows.push_back({"Closure", values.closure});
+  for (const std::vector<std::string>& row : values.data.series)
+    section.rows.push_back({row[0] + ": " + row[1], std::filesystem::path(row[2]).filename().string()});
+  const auto& moldings = values.conditions.moldings;
+  for (std::size_t i = 0; i < values.conditions.names.size() && !moldings.empty(); ++i) {
+    std::vector<std::string> row = moldings[moldings.size() == 1 ? 0 : i];
+    row[0] = std::filesystem::path(row[0]).filename().string();
+    section.rows.push_back({values.conditions.names[i], fmt::format("{}", fmt::join(row, ", "))});
+  }
+  return section;
+}
+
+std::string written_interval(double low, double high) {
+  return std::isnan(low) || std::isnan(high) ? std::string() : fmt::format("{:.4g} to {:.4g}", low, high);
+}
+
+TableSection estimates(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
+  const std::string level = fmt::format("{:g} % ", 100 * values.search.level);
+  TableSection section{"estimates" + name.prefix, "Parameters" + name.heading, {}, {}};
+  section.columns = {{"parameter"}, {"unit"}, {"value"}, {"standard error"}, {level + "linearised"}};
+  const bool profiles = values.search.profiles == ProfileChoice::all;
+  if (profiles) section.columns.push_back({level + "by profile"});
+  if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
+  for (const LawParameter& parameter :
+       chosen_law(calibrated_menu(values), calibrated_law(values))->parameters) {
+    if (std::find(values.search.free.begin(), values.search.free.end(), parameter.name) ==
+        values.search.free.end())
+      continue;
+    const std::string key = name.prefix + parameter.name;
+    const auto interval = [&](const std::string& kind) {
+      return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
+    };
+    section.rows.push_back({parameter.name, parameter.unit == "1" ? std::string() : parameter.unit,
+                            summary.number(key), summary.number(key + "_standard_error"), interval("")});
+    if (profiles) section.rows.back().emplace_back(interval("_profile"));
+    if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
+  }
+  section.caption = "Missing where the data cannot tell (docs/theory/calibration.md).";
+  return section;
+}
+
+FactsSection quality(const SummaryFile& summary, const FitName& name) {
+  const auto key = [&](const char* text) { return name.prefix + text; };
+  FactsSection section{"quality" + name.prefix, "How well" + name.heading, {}};
+  section.rows = {
+      {"Observations", summary.count(key("observations"))},
+      {"Degrees of freedom", summary.count(key("degrees_of_freedom"))},
+      {"Sum of weighted squares", summary.number(key("chi_square"))},
+      {"Scale of the noise", summary.number(key("noise_scale")), "", "over the given uncertainties"},
+      {"Average error", summary.number(key("average_error_percent")), "%", "thesis 4.8"},
+      {"Converged", summary.text(key("converged"))}};
+  for (int i = 1; !summary.text(key("finding_") + std::to_string(i)).empty(); ++i)
+    section.rows.push_back(
+        {fmt::format("To know, {}", i), summary.text(key("finding_") + std::to_string(i))});
+  return section;
+}
+
+/// Draws what was measured with the fitted curve and its band; series of one quantity share a picture.
+void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& name, double level,
+                   const CsvTable& fit, const CsvTable& curves, std::vector<ReportSection>& sections) {
+  std::vector<std::pair<std::string, LinesSection>> pictures;
+  for (std::size_t s = 0; s < measured.size(); ++s) {
+    const MeasuredSeries& one = measured[s];
+    if (one.values.size() < 2 || one.observed == Observed::histogram) continue;
+    const std::string quantity = one.observed == Observed::orientation ? "component of A_2" : "length";
+    auto picture =
+        std::find_if(pictures.begin(), pictures.end(), [&](const auto& p) { return p.first == quantity; });
+    if (picture == pictures.end()) {
+      LinesSection section{"curves_" + std::to_string(pictures.size()) + name.prefix,
+                           "Measured and fitted" + name.heading,
+                           {"time", "s"},
+                           {quantity, one.unit == "1" ? "" : one.unit},
+                           {},
+                           {},
+                           fmt::format("Bands: where another measurement would lie, with {:g} %; that of the "
+                                       "curve itself is in curves.csv.",
+                                       100 * level)};
+      picture = pictures.insert(pictures.end(), {quantity, section});
+    }
+    const auto number = static_cast<double>(s);
+    ReportSeries curve{one.name, pick(curves, name.number, number, "predicted")};
+    curve.x = pick(curves, name.number, number, "time_s");
+    curve.low = pick(curves, name.number, number, "observation_low");
+    curve.high = pick(curves, name.number, number, "observation_high");
+    ReportSeries points{one.name + ", measured", pick(fit, name.number, number, "observed"),
+                        CurveStyle::points};
+    points.x = pick(fit, name.number, number, "time_s");
+    picture->second.series.push_back(std::move(curve));
+    picture->second.series.push_back(std::move(points));
+  }
+  for (auto& [quantity, section] : pictures) sections.emplace_back(std::move(section));
+}
+
+/// Draws the error over the swept parameter, one curve a fit.
+void append_sweep(const CalibrationCase& values, const ResultFolder& folder, const SummaryFile& summary,
+                  std::vector<ReportSection>& sections) {
+  if (values.sweep.parameter.empty() || !std::filesystem::exists(folder.file("sweep.csv"))) return;
+  const CsvTable table = read_csv(folder.file("sweep.csv"));
+  const AxisScale scale =
+      values.sweep.spacing == ParameterScale::logarithmic ? AxisScale::logarithmic : AxisScale::linear;
+  LinesSection section{"sweep",
+                       "Error over " + values.sweep.parameter,
+                       {values.sweep.parameter, "", scale},
+                       {"average error", "%"},
+                       {},
+                       {}};
+  for (const FitName& name : fit_names(values)) {
+    ReportSeries curve{name.heading.empty() ? "average error" : name.heading.substr(2), {}};
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      if (table.column("fit")[i] != name.number) continue;
+      curve.x.push_back(table.column("value")[i]);
+      curve.values.push_back(table.column("average_error_percent")[i]);
+    }
+    if (curve.values.empty()) continue;
+    if (summary.text(name.prefix + "coupled") == "yes") curve.style = CurveStyle::dashed;
+    section.caption = fmt::format("Least at {} = {:.6g}: {:.4g} % (thesis 4.7, 4.8, figure 4.2).",
+                                  values.sweep.parameter, summary.number(name.prefix + "sweep_best_value"),
+                                  summary.number(name.prefix + "sweep_best_error_percent"));
+    section.series.push_back(std::move(curve));
+  }
+  if (section.series.size() > 1)
+    section.caption = "Thesis 4.7, 4.8, figures 4.6, 4.7; dashed where the flow feels the fibers.";
+  sections.emplace_back(std::move(section));
+}
+
+/// Compares the optima of moldings that were fitted one by one.
+void append_optima(const CalibrationCase& values, const ResultFolder& folder,
+                   std::vector<ReportSection>& sections) {
+  if (!std::filesystem::exists(folder.file("optimum.csv"))) return;
+  const CsvTable table = read_csv(folder.file("optimum.csv"));
+  sections.emplace_back(optimum_table(values, table));
+  if (table.rows() > 1) sections.emplace_back(optimum_section(values, table));
+}
+
+void append_profiles(const CalibrationCase& values, const ResultFolder& folder, const FitName& name,
+                     std::vector<ReportSection>& sections) {
+  if (!std::filesystem::exists(folder.file("profile.csv"))) return;
+  const CsvTable table = read_csv(folder.file("profile.csv"));
+  const std::vector<LawParameter>& parameters =
+      chosen_law(calibrated_menu(values), calibrated_law(values))->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto number = static_cast<double>(i);
+    LinesSection section{"profile_" + parameters[i].name + name.prefix,
+                         "Profile of " + parameters[i].name + name.heading,
+                         {parameters[i].name, parameters[i].unit == "1" ? "" : parameters[i].unit},
+                         {"least sum of squares"},
+                         pick(table, name.number, number, "value"),
+                         {}};
+    if (section.x_values.empty()) continue;
+    section.series = {
+        {"least sum of squares", pick(table, name.number, number, "chi_square")},
+        {"limit of the interval", pick(table, name.number, number, "limit"), CurveStyle::dashed}};
+    sections.emplace_back(std::move(section));
+  }
+}
+
+}  // namespace
+
+ReportDocument report_calibration(const CalibrationCase& values, const ResultFolder& folder) {
+  ReportDocument document;
+  document.title = "Calibration of " + calibrated_law(values).name;
+  const SummaryFile summary(folder.summary());
+  document.stop_reason = summary.text("stop_reason");
+  document.sections.emplace_back(asked(values));
+  const CsvTable fit = read_csv(folder.file("fit.csv"));
+  const CsvTable curves = read_csv(folder.file("curves.csv"));
+  const std::vector<MeasuredSeries> all = read_measurements(values);
+  append_optima(values, folder, document.sections);
+  append_sweep(values, folder, summary, document.sections);
+  for (const FitName& name : fit_names(values)) {
+    std::vector<MeasuredSeries> measured;
+    for (const MeasuredSeries& one : all)
+      if (name.prefix.empty() || static_cast<double>(one.condition) == name.number) measured.push_back(one);
+    if (measured.empty()) continue;
+    document.sections.emplace_back(estimates(values, summary, name));
+    document.sections.emplace_back(quality(summary, name));
+    if (calibrates_in_molds(values)) {
+      for (LinesSection& one :
+           molded_lengths_sections(values, measured, {name.number, name.prefix, fit, curves}))
+        document.sections.emplace_back(std::move(one));
+    } else {
+      append_curves(measured, name, values.search.level, fit, curves, document.sections);
+    }
+    append_profiles(values, folder, name, document.sections);
+  }
+  return document;
+}
+
+}  // namespace fiberfate

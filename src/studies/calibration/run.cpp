@@ -1,0 +1,314 @@
+// Runs the study calibration: fits, profiles, bootstraps, sweeps, and writes what came out.
+#include "studies/calibration/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <memory>
+
+#include "base/timer.hpp"
+#include "calibration/bootstrap.hpp"
+#include "calibration/fit.hpp"
+#include "calibration/prediction_band.hpp"
+#include "calibration/profile.hpp"
+#include "calibration/sweep.hpp"
+#include "io/csv_table.hpp"
+#include "results/result_folder.hpp"
+#include "results/run_log.hpp"
+#include "results/summary.hpp"
+#include "studies/calibration/data.hpp"
+#include "studies/calibration/model.hpp"
+#include "studies/calibration/molds.hpp"
+#include "studies/progress.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr std::size_t curve_points = 101;
+
+void append_row(CsvTable& table, std::initializer_list<double> row) {
+  table.values.resize(table.columns.size());
+  std::size_t column = 0;
+  for (const double value : row) table.values[column++].push_back(value);
+}
+
+/// Holds the tables of a run, which several fits fill.
+struct Tables {
+  CsvTable fit = {{"fit", "series", "time_s", "observed", "uncertainty", "predicted"}, {}};
+  CsvTable curves = {{"fit", "series", "time_s", "predicted", "curve_low", "curve_high", "observation_low",
+                      "observation_high"},
+                     {}};
+  CsvTable profile = {{"fit", "parameter", "value", "chi_square", "limit"}, {}};
+  CsvTable bootstrap = {{"fit", "parameter", "value"}, {}};
+  CsvTable sweep = {{"fit", "value", "average_error_percent"}, {}};
+  CsvTable optimum = {{"fit", "coupled", "length_m", "aspect_ratio", "best_value", "best_error_percent",
+                       "fitted", "lower", "upper"},
+                      {}};
+};
+
+/// Makes a name fit for a key: "50 rpm" becomes "50_rpm".
+std::string key_of(const std::string& name) {
+  std::string key;
+  for (const char letter : name) key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+  return key;
+}
+
+/// One fit of the run: all series, or those of one condition.
+class OneFit {
+ public:
+  OneFit(const CalibrationCase& values, std::vector<MeasuredSeries> series, std::string prefix, double number)
+      : values_(values),
+        series_(std::move(series)),
+        prefix_(std::move(prefix)),
+        number_(number),
+        problem_(pose_calibration(values, series_)) {}
+
+  /// Shows that the run is alive, where a prediction is a filling.
+  void show_in(Progress& progress) {
+    progress_ = &progress;
+    const std::string name =
+        prefix_.empty() ? "all moldings" : values_.conditions.names[series_.front().condition];
+    problem_.model = [model = problem_.model, &progress, name, count = std::make_shared<int>(0)](
+                         std::span<const double> parameters, std::span<double> predictions) {
+      progress.show([&] { return fmt::format("{}: {} predictions", name, *count); });
+      model(parameters, predictions);
+      ++*count;
+    };
+  }
+
+  void run(Tables& tables, RunSummary& summary, RunLog& log) {
+    FitOptions options;
+    options.level = values_.search.level;
+    options.starts = static_cast<int>(values_.search.starts);
+    options.seed = static_cast<std::uint64_t>(values_.search.seed);
+    result_ = fit(problem_, options);
+    summary.steps += result_.iterations;
+    append_estimates(summary);
+    append_findings(summary, log);
+    append_fit(tables.fit);
+    append_curves(tables.curves);
+    append_profiles(options, tables.profile, summary);
+    append_bootstrap(tables.bootstrap, summary);
+    append_sweep(tables, summary);
+  }
+
+ private:
+  void add(RunSummary& summary, const std::string& key, SummaryValue value) const {
+    summary.own.emplace_back(prefix_ + key, std::move(value));
+  }
+
+  void append_estimates(RunSummary& summary) const {
+    for (const ParameterEstimate& estimate : result_.parameters) {
+      add(summary, estimate.name, estimate.value);
+      if (estimate.outcome == ParameterOutcome::fixed) continue;
+      add(summary, estimate.name + "_standard_error", estimate.standard_error);
+      add(summary, estimate.name + "_lower", estimate.interval.lower);
+      add(summary, estimate.name + "_upper", estimate.interval.upper);
+    }
+    add(summary, "observations", static_cast<std::int64_t>(problem_.observation_count()));
+    add(summary, "degrees_of_freedom", static_cast<std::int64_t>(result_.degrees_of_freedom));
+    add(summary, "chi_square", result_.chi_square);
+    add(summary, "noise_scale", result_.noise_scale);
+    add(summary, "converged", std::string(result_.converged ? "yes" : "no"));
+    add(summary, "agreeing_starts", static_cast<std::int64_t>(result_.agreeing_starts));
+    const std::vector<std::size_t> free = problem_.free_parameters();
+    for (std::size_t i = 0; i < free.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        add(summary,
+            fmt::format("correlation_{}_{}", result_.parameters[free[k]].name,
+                        result_.parameters[free[i]].name),
+            result_.correlation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)));
+    std::vector<double> observed;
+    for (const FitSeries& one : problem_.series)
+      observed.insert(observed.end(), one.observed.begin(), one.observed.end());
+    add(summary, "average_error_percent", average_error_percent(observed, result_.predictions));
+  }
+
+  void append_findings(RunSummary& summary, RunLog& log) const {
+    if (progress_ != nullptr) progress_->end_line();
+    std::vector<std::string> texts;
+    for (const Finding& finding : result_.findings) texts.push_back(finding.text);
+    // The strength enters as a ratio to the stress only: which unit it was given in cannot be seen from the
+    // fit.
+    for (const ParameterEstimate& estimate : result_.parameters)
+      if (estimate.name == "sigma_u" && estimate.outcome == ParameterOutcome::fixed)
+        texts.push_back(fmt::format(
+            "sigma_u = {:.4g} Pa enters only over the shear stress: a value in another unit fits as well and "
+            "changes lambda and k_0 by powers of the factor; compare them only at equal sigma_u",
+            estimate.value));
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      add(summary, fmt::format("finding_{}", i + 1), texts[i]);
+      if (i < result_.findings.size())
+        log.warn(prefix_.empty() ? texts[i] : fmt::format("{}: {}", prefix_, texts[i]));
+    }
+  }
+
+  void append_fit(CsvTable& table) const {
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < series_.size(); ++s)
+      for (std::size_t i = 0; i < series_[s].values.size(); ++i, ++at)
+        append_row(table, {number_, static_cast<double>(s), series_[s].times[i], series_[s].values[i],
+                           series_[s].deviations[i], result_.predictions[at]});
+  }
+
+  /// Writes the predictions of moldings with their bands, one a place and mean.
+  void append_molded(CsvTable& table) const {
+    PredictionRequest request = {pooled(problem_).model, {}};
+    for (const MeasuredSeries& one : series_) request.uncertainty.push_back(one.deviations.front());
+    const PredictionBand band = predict_with_band(problem_, result_, request, values_.search.level);
+    for (std::size_t s = 0; s < series_.size(); ++s)
+      append_row(table, {number_, static_cast<double>(s), 0, band.predicted[s], band.curve[s].lower,
+                         band.curve[s].upper, band.observation[s].lower, band.observation[s].upper});
+  }
+
+  void append_curves(CsvTable& table) const {
+    if (calibrates_in_molds(values_)) return append_molded(table);
+    std::vector<MeasuredSeries> fine;
+    PredictionRequest request;
+    for (const MeasuredSeries& one : series_) {
+      fine.push_back(refined(one, curve_points));
+      request.uncertainty.insert(request.uncertainty.end(), fine.back().deviations.begin(),
+                                 fine.back().deviations.end());
+    }
+    request.model = calibration_model(values_, fine);
+    const PredictionBand band = predict_with_band(problem_, result_, request, values_.search.level);
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < fine.size(); ++s)
+      for (std::size_t i = 0; i < fine[s].values.size(); ++i, ++at)
+        append_row(table, {number_, static_cast<double>(s), fine[s].times[i], band.predicted[at],
+                           band.curve[at].lower, band.curve[at].upper, band.observation[at].lower,
+                           band.observation[at].upper});
+  }
+
+  void append_profiles(const FitOptions& options, CsvTable& table, RunSummary& summary) const {
+    if (values_.search.profiles == ProfileChoice::none) return;
+    if (result_.degrees_of_freedom <= 0 && problem_.noise == NoiseScale::estimated) return;
+    for (const std::size_t parameter : problem_.free_parameters()) {
+      if (result_.parameters[parameter].outcome != ParameterOutcome::determined) continue;
+      const Profile found = profile(problem_, result_, parameter, options);
+      add(summary, problem_.parameters[parameter].name + "_profile_lower", found.interval.lower);
+      add(summary, problem_.parameters[parameter].name + "_profile_upper", found.interval.upper);
+      for (std::size_t i = 0; i < found.values.size(); ++i)
+        append_row(table, {number_, static_cast<double>(parameter), found.values[i], found.chi_squares[i],
+                           found.limit});
+    }
+  }
+
+  void append_bootstrap(CsvTable& table, RunSummary& summary) const {
+    if (values_.search.bootstrap == 0 || result_.degrees_of_freedom <= 0) return;
+    BootstrapOptions options;
+    options.samples = static_cast<int>(values_.search.bootstrap);
+    options.seed = static_cast<std::uint64_t>(values_.search.seed);
+    options.level = values_.search.level;
+    const Bootstrap samples = bootstrap(problem_, result_, options);
+    const std::vector<std::size_t> free = problem_.free_parameters();
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const std::string& name = problem_.parameters[free[i]].name;
+      add(summary, name + "_bootstrap_standard_error", samples.standard_errors[i]);
+      add(summary, name + "_bootstrap_lower", samples.intervals[i].lower);
+      add(summary, name + "_bootstrap_upper", samples.intervals[i].upper);
+      for (const double value : samples.values[i])
+        append_row(table, {number_, static_cast<double>(free[i]), value});
+    }
+    add(summary, "bootstrap_failed", static_cast<std::int64_t>(samples.failed));
+  }
+
+  void append_sweep(Tables& tables, RunSummary& summary) const {
+    if (values_.sweep.parameter.empty()) return;
+    SweepRequest request;
+    while (problem_.parameters[request.parameter].name != values_.sweep.parameter) ++request.parameter;
+    const double value = result_.values[request.parameter];
+    request.lower = values_.sweep.lower.value_or(0.1 * value);
+    request.upper = values_.sweep.upper.value_or(10 * value);
+    request.count = static_cast<std::size_t>(values_.sweep.count);
+    request.spacing = values_.sweep.spacing;
+    const bool molds = calibrates_in_molds(values_);
+    if (molds) add(summary, "coupled", std::string(feels_fibers(values_, series_) ? "yes" : "no"));
+    const Sweep found = sweep(molds ? pooled(problem_) : problem_, result_.values, request);
+    add(summary, "sweep_best_value", found.best_value);
+    add(summary, "sweep_best_error_percent", found.best_error);
+    for (std::size_t i = 0; i < found.values.size(); ++i)
+      append_row(tables.sweep, {number_, found.values[i], found.errors[i]});
+    if (molds) append_optimum(found, request.parameter, tables.optimum);
+  }
+
+  /// Writes the optimum of one molding beside the aspect ratio of the fibers that came in.
+  void append_optimum(const Sweep& found, std::size_t parameter, CsvTable& table) const {
+    const std::size_t condition = series_.front().condition;
+    for (const MeasuredSeries& one : series_)
+      if (one.condition != condition) return;
+    const MoldingCase molding = molding_of(values_, condition);
+    const double length = inlet_length(values_, condition);
+    const ParameterEstimate& estimate = result_.parameters[parameter];
+    append_row(table, {number_, molding.fibers.coupling == CouplingChoice::none ? 0.0 : 1.0, length,
+                       length / molding.fibers.diameter, found.best_value, found.best_error, estimate.value,
+                       estimate.interval.lower, estimate.interval.upper});
+  }
+
+  const CalibrationCase& values_;
+  std::vector<MeasuredSeries> series_;
+  std::string prefix_;
+  double number_;
+  FitProblem problem_;
+  FitResult result_;
+  Progress* progress_ = nullptr;  ///< where the run is shown; null: nowhere
+};
+
+std::vector<MeasuredSeries> series_of(const std::vector<MeasuredSeries>& all, std::size_t condition) {
+  std::vector<MeasuredSeries> some;
+  for (const MeasuredSeries& one : all)
+    if (one.condition == condition) some.push_back(one);
+  return some;
+}
+
+void write_tables(const ResultFolder& folder, const Tables& tables) {
+  write_csv(folder.file("fit.csv"), tables.fit);
+  write_csv(folder.file("curves.csv"), tables.curves);
+  if (tables.profile.rows() > 0) write_csv(folder.file("profile.csv"), tables.profile);
+  if (tables.bootstrap.rows() > 0) write_csv(folder.file("bootstrap.csv"), tables.bootstrap);
+  if (tables.sweep.rows() > 0) write_csv(folder.file("sweep.csv"), tables.sweep);
+  if (tables.optimum.rows() > 0) write_csv(folder.file("optimum.csv"), tables.optimum);
+}
+
+}  // namespace
+
+StopReason run_calibration(const CalibrationCase& values, const RunOptions& options, ResultFolder& folder) {
+  const double begin = wall_seconds();
+  RunLog log(folder);
+  RunSummary summary;
+  summary.study = "calibration";
+  summary.seed = static_cast<std::uint64_t>(values.search.seed);
+  summary.own.emplace_back("law", calibrated_law(values).name);
+  const std::vector<MeasuredSeries> series = read_measurements(values);
+  Tables tables;
+  Progress progress(options.progress);
+  const auto run_fit = [&](OneFit fit) {
+    if (calibrates_in_molds(values)) fit.show_in(progress);
+    fit.run(tables, summary, log);
+  };
+  if (values.search.scope == FitScope::together) {
+    run_fit(OneFit(values, series, "", 0));
+  } else {
+    for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
+      const std::vector<MeasuredSeries> some = series_of(series, i);
+      if (some.empty()) continue;
+      run_fit(OneFit(values, some, key_of(values.conditions.names[i]) + "_", static_cast<double>(i)));
+    }
+  }
+  progress.end_line();
+  write_tables(folder, tables);
+  summary.wall_s = wall_seconds() - begin;
+  summary.cpu_s = cpu_seconds();
+  write_summary(folder.summary(), summary);
+  log.note("fitted");
+  return StopReason::done;
+}
+
+StopReason resume_calibration(const CalibrationCase& values, const RunOptions& options,
+                              ResultFolder& folder) {
+  return run_calibration(values, options, folder);
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,54 @@
+// Describes, checks and estimates a case of the study cluster.
+#include "studies/cluster/case.hpp"
+
+#include "studies/sample/estimate.hpp"
+
+namespace fiberfate {
+namespace {
+
+// Measured on the packings of 620 to 1000 fibers of 25 rods that docs/theory/packing.md lists.
+constexpr double packing_seconds_a_rod = 1e-3;
+
+}  // namespace
+
+void describe_cluster(KeyTable& table, ClusterCase& values) {
+  table.section("run", "With which random numbers, on how many threads.");
+  table.count(
+      "run.seed", values.seed,
+      {.text = "Seed of all random numbers: the same seed gives the same result on any number of threads.",
+       .range = Range::not_negative()});
+  table.count("run.threads", values.threads,
+              {.text = "Threads; 0 for as many as the machine has.", .range = Range::between(0, 4096)});
+  describe_sample(table, values.sample);
+  table.section("boundary", "How the cell ends.");
+  table.choice("boundary.y", values.boundary_y,
+               {{Boundary::periodic, "periodic", "the cell repeats"},
+                {Boundary::walls, "walls", "solid walls at y = 0 and at the far side"}},
+               {.text = "How the cell ends along y; in x and z it is periodic."});
+  table.section("contact",
+                "The contact law under which the packing comes to rest: the one that will be run.");
+  describe_contact_law(table, values.contact);
+  describe_relaxation(table, values.relaxation);
+}
+
+void validate_cluster(const ClusterCase& values, CaseChecker& checker) {
+  validate_sample(values.sample, checker);
+  validate_relaxation(values.relaxation, checker);
+  if (!checker.is_sound("cluster.source")) return;
+  const ClusterSource source = values.sample.cluster.source;
+  if (source == ClusterSource::fiber)
+    checker.error("cluster.source", "a single fiber is no cluster", "use study = \"shear_cell\"");
+  if (source == ClusterSource::file && !values.relaxation.duration)
+    checker.error("cluster.source", "nothing would be done to the fibers that are read",
+                  "add duration under [relaxation], or let the cluster be generated");
+}
+
+CaseEstimate estimate_cluster(const ClusterCase& values) {
+  const auto plan = plan_sample(values.sample, values.seed);
+  CaseEstimate estimate = estimate_sample(values.sample, plan);
+  if (plan) estimate.wall_seconds = packing_seconds_a_rod * static_cast<double>(plan->rods);
+  estimate.assumption = "1 ms a rod, one thread";
+  return estimate;
+}
+
+}  // namespace fiberfate

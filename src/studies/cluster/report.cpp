@@ -1,0 +1,173 @@
+// Builds the report of the study cluster from the files of its result folder.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "studies/cluster/run.hpp"
+#include "studies/sample/fiber_sections.hpp"
+
+namespace fiberfate {
+namespace {
+
+FactsSection asked(const ClusterCase& values) {
+  FactsSection section{"asked", "What was asked", sample_facts(values.sample)};
+  section.rows.push_back(
+      {"Weight of curvature", values.sample.cluster.weights.curvature, "", "against overlap"});
+  section.rows.push_back(
+      {"Weight of orientation", values.sample.cluster.weights.orientation, "", "against overlap"});
+  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.seed)});
+  return section;
+}
+
+std::string percent(double fraction) {
+  return fmt::format("{:.5g} %", 100 * fraction);
+}
+
+std::string millimetres(double length) {
+  return fmt::format("{:.5g} mm", 1e3 * length);
+}
+
+std::string micrometres(double radius) {
+  return std::isnan(radius) ? "straight" : fmt::format("{:.4g} µm", 1e6 * radius);
+}
+
+/// Sets the lengths and shares of several kinds side by side.
+void add_kinds(TableSection& table, const SummaryFile& summary) {
+  const std::vector<double> fibers = summary.numbers("kind_fibers");
+  const auto pair = [&](std::size_t kind, const char* what, const std::string& key, const std::string& unit,
+                        const auto& write) {
+    table.rows.push_back({fmt::format("Kind {}: {}", kind + 1, what),
+                          write(summary.numbers(key + "_asked" + unit).at(kind)),
+                          write(summary.numbers(key + unit).at(kind))});
+  };
+  for (std::size_t kind = 0; kind < fibers.size(); ++kind) {
+    pair(kind, "L_N", "kind_L_N", "_m", millimetres);
+    pair(kind, "L_W", "kind_L_W", "_m", millimetres);
+    pair(kind, "share of the fibers' volume", "kind_volume_share", "", percent);
+  }
+}
+
+/// Sets what was asked beside what came out.
+TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
+  const SampleCase& sample = values.sample;
+  TableSection table{"comparison", "Asked and achieved", {{"quantity"}, {"asked"}, {"achieved"}}, {}};
+  const auto add = [&table](const std::string& what, const std::string& asked, const std::string& achieved) {
+    table.rows.push_back({what, asked, achieved});
+  };
+  if (!std::isnan(summary.number("L_N_asked_m"))) {
+    add("L_N", millimetres(summary.number("L_N_asked_m")), millimetres(summary.number("L_N_m")));
+    add("L_W", millimetres(summary.number("L_W_asked_m")), millimetres(summary.number("L_W_m")));
+  }
+  add_kinds(table, summary);
+  if (sample.fibers.weight_fraction)
+    add("Weight fraction", percent(*sample.fibers.weight_fraction),
+        percent(weight_from_volume_fraction(summary.number("volume_fraction"), mean_density(species(sample)),
+                                            sample.matrix_density.value_or(0))));
+  if (sample.fibers.volume_fraction)
+    add("Volume fraction", percent(*sample.fibers.volume_fraction),
+        percent(summary.number("volume_fraction")));
+  if (sample.fibers.count)
+    add("Fibers", fmt::format("{}", *sample.fibers.count), fmt::format("{}", summary.count("fibers")));
+  const Mat3 wanted = summary.tensor("A2_asked"), reached = summary.tensor("A2");
+  const auto component = [](double value) {
+    return fmt::format("{:.5f}", std::abs(value) < 5e-6 ? 0 : value);
+  };
+  for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
+    add(fmt::format("a_{}{}", i + 1, j + 1), component(wanted(i, j)), component(reached(i, j)));
+  add("Largest overlap", fmt::format("{:.3g} D", sample.cluster.overlap_tolerance),
+      fmt::format("{:.3g} D", summary.number("max_overlap_diameters")));
+  add("Smallest radius of curvature",
+      sample.cluster.minimum_radius > 0 ? micrometres(sample.cluster.minimum_radius) : "as large as comes",
+      micrometres(summary.number("min_radius_m")));
+  return table;
+}
+
+FactsSection came_out(const SummaryFile& summary) {
+  FactsSection section{"outcome", "What came out", outcome_facts(summary)};
+  section.rows.insert(
+      section.rows.end(),
+      {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
+       {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
+       {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
+       {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
+       {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
+       {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
+        "theory of Toll for straight fibers"},
+       {"Left",
+        summary.text("packing_end") == "at_rest" ? "at rest under the contact law" : "as it was parted"},
+       {"Largest overlap at rest under the contact law", summary.number("max_overlap_at_rest_diameters"),
+        "diameters"},
+       {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
+       {"Packing steps", summary.count("packing_steps")}});
+  if (!summary.text("relaxation_end").empty())
+    section.rows.insert(section.rows.end(),
+                        {{"Relaxation ended", summary.text("relaxation_end")},
+                         {"Relaxed for", summary.number("relaxation_s"), "s"},
+                         {"Orientation changed meanwhile", summary.number("relaxation_orientation_drift")}});
+  return section;
+}
+
+/// Lists the components of A4 that do not vanish in the principal frame, of the law and of the fibers.
+TableSection fourth_moments(const SummaryFile& summary) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> places = {
+      {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+  TableSection table{"A4", "Fourth moments", {{"component of A_4"}, {"directions drawn"}, {"fibers"}}, {}};
+  const std::vector<double> drawn = summary.numbers("A4_drawn"), reached = summary.numbers("A4");
+  for (const auto& [i, j] : places)
+    table.rows.push_back({fmt::format("a_{0}{0}{1}{1}", i + 1, j + 1),
+                          fmt::format("{:.5f}", drawn.at(6 * i + j)),
+                          fmt::format("{:.5f}", reached.at(6 * i + j))});
+  table.caption = "Length-weighted; what a closure would have to guess from A_2.";
+  return table;
+}
+
+HistogramSection lengths(const SummaryFile& summary) {
+  HistogramSection section{
+      "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, summary.numbers("length_edges_m"), {}};
+  section.frames.push_back({"this cluster", summary.numbers("length_fibers")});
+  section.reference = HistogramFrame{"asked", summary.numbers("length_fibers_asked")};
+  section.caption = fmt::format("Chi-square against the input: {:.3g} over {} bins.",
+                                summary.number("length_chi_square"), summary.count("length_chi_square_bins"));
+  return section;
+}
+
+LinesSection pair_section(const SummaryFile& summary) {
+  LinesSection section{
+      "pair_distances", "Neighbours by distance", {"axis distance", "diameters"}, {"places a fiber"}, {}, {}};
+  const std::vector<double> low = summary.numbers("pair_distance_low_diameters");
+  const std::vector<double> high = summary.numbers("pair_distance_high_diameters");
+  for (std::size_t i = 0; i < low.size(); ++i) section.x_values.push_back(0.5 * (low[i] + high[i]));
+  section.series = {
+      {"this packing", summary.numbers("pair_distance_per_fiber")},
+      {"placed at random", summary.numbers("pair_distance_per_fiber_random"), CurveStyle::dashed}};
+  section.caption =
+      "Places along a fiber where another one passes, beside the theory of fibers placed at random.";
+  return section;
+}
+
+}  // namespace
+
+ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder) {
+  ReportDocument document;
+  document.title = "A packing of fibers";
+  const SummaryFile summary(folder.summary());
+  document.stop_reason = summary.text("stop_reason");
+  document.sections.emplace_back(asked(values));
+  document.sections.emplace_back(comparison(values, summary));
+  document.sections.emplace_back(came_out(summary));
+  document.sections.emplace_back(fourth_moments(summary));
+  if (!summary.numbers("pair_distance_low_diameters").empty())
+    document.sections.emplace_back(pair_section(summary));
+  const VtkhdfReader frames(folder.frames());
+  if (!summary.numbers("length_edges_m").empty()) document.sections.emplace_back(lengths(summary));
+  document.sections.emplace_back(curvature_section(frames, {0.0}));
+  document.sections.emplace_back(fibers_section(frames, ""));
+  for (LinesSection& section : projection_sections(frames))
+    document.sections.emplace_back(std::move(section));
+  document.sections.emplace_back(effort_section(summary));
+  return document;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,19 @@
+// Lists a chosen law and its parameters for a report.
+#include "studies/law_facts.hpp"
+
+namespace fiberfate {
+
+std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const LawChoice& choice) {
+  const LawMenuItem* law = chosen_law(menu, choice);
+  if (law == nullptr) return {};
+  std::vector<Fact> facts = {{label, law->name, "", law->summary}};
+  const std::vector<double> values = law_values(menu, choice);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const LawParameter& parameter = law->parameters[i];
+    facts.push_back(
+        {parameter.name, values[i], parameter.unit == "1" ? "" : parameter.unit, parameter.meaning});
+  }
+  return facts;
+}
+
+}  // namespace fiberfate

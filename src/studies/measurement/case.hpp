@@ -1,0 +1,61 @@
+// Holds a case of the study measurement: lists of measured fibers, and how they stand for the whole.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "keys/case_checker.hpp"
+#include "keys/key_table.hpp"
+#include "keys/text_keys.hpp"
+#include "microstructure/length_statistics.hpp"
+#include "microstructure/orientation_statistics.hpp"
+#include "studies/study.hpp"
+
+namespace fiberfate {
+
+/// Holds [lengths].
+struct MeasuredLengthChoices {
+  std::string file;                       ///< CSV; empty: no lengths were measured
+  std::string column;                     ///< empty: the first
+  std::string number_column;              ///< fibers that a row stands for; empty: one
+  std::string unit;                       ///< of the column
+  std::optional<double> sample_diameter;  ///< of the down-sampled region, m; not given: none
+  std::int64_t bins = 30;
+  std::optional<double> bin_width;  ///< m, instead of a number of bins
+};
+
+/// Names how the file tells directions.
+enum class DirectionForm { angles, vectors };
+/// Names the unit of angles.
+enum class AngleUnit { degrees, radians };
+
+/// Holds [orientation].
+struct MeasuredDirectionChoices {
+  std::string file;  ///< CSV; empty: no directions were measured
+  DirectionForm form = DirectionForm::angles;
+  Texts columns;  ///< empty: theta, phi or p1, p2, p3
+  AngleUnit angle_unit = AngleUnit::degrees;
+  std::string weight_column;           ///< empty: all fibers count alike
+  std::optional<Vec3> cut_normal;      ///< fibers were found on a plane cut
+  std::optional<double> aspect_ratio;  ///< of the fibers, with cut_normal
+};
+
+struct MeasurementCase {
+  MeasuredLengthChoices lengths;
+  MeasuredDirectionChoices orientation;
+  double level = 0.95;            ///< confidence of the intervals
+  std::int64_t resamples = 2000;  ///< of the bootstrap
+  std::int64_t seed = 1;
+};
+
+void describe_measurement(KeyTable& table, MeasurementCase& values);
+void validate_measurement(const MeasurementCase& values, CaseChecker& checker);
+[[nodiscard]] CaseEstimate estimate_measurement(const MeasurementCase& values);
+
+/// Reads the lengths as they were measured, m; raises InputError with the file's line or column at fault.
+[[nodiscard]] MeasuredLengths read_lengths(const MeasuredLengthChoices& choices);
+/// Reads the directions with their weights, corrected for a cut where the case tells of one; raises as above.
+[[nodiscard]] MeasuredDirections read_directions(const MeasuredDirectionChoices& choices);
+
+}  // namespace fiberfate

@@ -1,0 +1,150 @@
+// Runs the study measurement: averages, intervals, histogram and orientation tensors of lists of fibers.
+#include "studies/measurement/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/timer.hpp"
+#include "io/csv_table.hpp"
+#include "microstructure/eigenframe.hpp"
+#include "results/result_folder.hpp"
+#include "results/run_log.hpp"
+#include "results/summary.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Pole figure: bins of equal solid angle on the upper half of the sphere.
+constexpr int azimuth_bins = 24, height_bins = 6;
+
+std::vector<double> histogram_edges(const MeasuredLengthChoices& choices, const MeasuredLengths& fibers) {
+  if (!choices.bin_width) return even_edges(fibers, static_cast<int>(choices.bins));
+  const double longest = *std::max_element(fibers.lengths.begin(), fibers.lengths.end());
+  const double count = std::ceil(longest / *choices.bin_width - 1e-9);
+  std::vector<double> edges;
+  for (double k = 0; k <= count; ++k) edges.push_back(k * *choices.bin_width);
+  return edges;
+}
+
+void append_interval(RunSummary& summary, const std::string& name, const Interval& interval) {
+  summary.own.emplace_back(name + "_lower_m", interval.lower);
+  summary.own.emplace_back(name + "_upper_m", interval.upper);
+}
+
+void write_histogram(const MeasuredLengthChoices& choices, const MeasuredLengths& measured,
+                     const MeasuredLengths& fibers, const std::string& path) {
+  const LengthShares shares = length_shares(fibers, histogram_edges(choices, fibers));
+  const LengthShares raw = length_shares(measured, shares.edges);
+  const std::vector<double> deviations = share_deviations(fibers, shares);
+  CsvTable table{{"length_low_m", "length_high_m", "number_share", "number_share_sd", "length_share",
+                  "uncorrected_number_share"},
+                 {}};
+  table.values = {{shares.edges.begin(), shares.edges.end() - 1},
+                  {shares.edges.begin() + 1, shares.edges.end()},
+                  shares.by_number,
+                  deviations,
+                  shares.by_length,
+                  raw.by_number};
+  write_csv(path, table);
+}
+
+/// Writes every length with the number of fibers it stands for, as fibers.distribution of other cases takes
+/// it.
+void write_distribution(const MeasuredLengths& fibers, const std::string& path) {
+  CsvTable table{{"length_m", "number"}, {fibers.lengths, fibers.numbers}};
+  if (fibers.numbers.empty()) table.values[1].assign(fibers.lengths.size(), 1.0);
+  write_csv(path, table);
+}
+
+void evaluate_lengths(const MeasurementCase& values, const ResultFolder& folder, RunSummary& summary) {
+  const MeasuredLengths measured = read_lengths(values.lengths);
+  const MeasuredLengths fibers = values.lengths.sample_diameter
+                                     ? corrected_for_sampling(measured, *values.lengths.sample_diameter)
+                                     : measured;
+  const LengthIntervals intervals = bootstrap_mean_lengths(
+      fibers, values.level, static_cast<int>(values.resamples), static_cast<std::uint64_t>(values.seed));
+  summary.number_average = intervals.number_average.estimate;
+  summary.weight_average = intervals.weight_average.estimate;
+  summary.own.emplace_back("measured_lengths", static_cast<std::int64_t>(measured.lengths.size()));
+  append_interval(summary, "L_N", intervals.number_average);
+  append_interval(summary, "L_W", intervals.weight_average);
+  summary.own.emplace_back("L_N_uncorrected_m", number_average(measured));
+  summary.own.emplace_back("L_W_uncorrected_m", weight_average(measured));
+  const auto [shortest, longest] = std::minmax_element(measured.lengths.begin(), measured.lengths.end());
+  summary.own.emplace_back("shortest_m", *shortest);
+  summary.own.emplace_back("longest_m", *longest);
+  write_histogram(values.lengths, measured, fibers, folder.file("histogram.csv"));
+  write_distribution(fibers, folder.file("distribution.csv"));
+}
+
+/// Writes how densely directions lie, over the mean; a direction and its opposite are one.
+void write_pole_figure(const MeasuredDirections& fibers, const std::string& path) {
+  std::vector<double> density(static_cast<std::size_t>(azimuth_bins * height_bins), 0.0);
+  double sum = 0;
+  for (std::size_t i = 0; i < fibers.directions.size(); ++i) {
+    Vec3 p = fibers.directions[i].normalized();
+    if (p[2] < 0) p = -p;
+    const double turn = std::atan2(p[1], p[0]) / (2 * std::acos(-1.0));
+    const int azimuth =
+        std::min(static_cast<int>((turn < 0 ? turn + 1 : turn) * azimuth_bins), azimuth_bins - 1);
+    const int height = std::min(static_cast<int>(p[2] * height_bins), height_bins - 1);
+    const double weight = fibers.weights.empty() ? 1 : fibers.weights[i];
+    density[static_cast<std::size_t>(height * azimuth_bins + azimuth)] += weight;
+    sum += weight;
+  }
+  CsvTable table{{"phi_deg", "cos_theta", "density"}, std::vector<std::vector<double>>(3)};
+  for (int k = 0; k < azimuth_bins * height_bins; ++k) {
+    table.values[0].push_back((k % azimuth_bins + 0.5) * 360.0 / azimuth_bins);
+    table.values[1].push_back((k / azimuth_bins + 0.5) / height_bins);
+    table.values[2].push_back(density[static_cast<std::size_t>(k)] * azimuth_bins * height_bins / sum);
+  }
+  write_csv(path, table);
+}
+
+void evaluate_directions(const MeasurementCase& values, const ResultFolder& folder, RunSummary& summary) {
+  const MeasuredDirections fibers = read_directions(values.orientation);
+  const OrientationInterval interval = bootstrap_second_moment(
+      fibers, values.level, static_cast<int>(values.resamples), static_cast<std::uint64_t>(values.seed));
+  summary.orientation = interval.estimate;
+  summary.own.emplace_back("measured_directions", static_cast<std::int64_t>(fibers.directions.size()));
+  summary.own.emplace_back("A2_lower", interval.lower);
+  summary.own.emplace_back("A2_upper", interval.upper);
+  const Vec3 principal = eigenframe(interval.estimate).values;
+  summary.own.emplace_back("principal_values", std::vector<double>(principal.begin(), principal.end()));
+  const Mat6 fourth = fourth_moment(fibers);
+  summary.own.emplace_back("A4", std::vector<double>(fourth.data(), fourth.data() + fourth.size()));
+  write_pole_figure(fibers, folder.file("directions.csv"));
+}
+
+}  // namespace
+
+StopReason run_measurement(const MeasurementCase& values, const RunOptions&, ResultFolder& folder) {
+  const double begin = wall_seconds();
+  RunLog log(folder);
+  RunSummary summary;
+  summary.study = "measurement";
+  summary.seed = static_cast<std::uint64_t>(values.seed);
+  if (!values.lengths.file.empty()) {
+    evaluate_lengths(values, folder, summary);
+    log.note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * summary.number_average,
+                         1e3 * summary.weight_average));
+  }
+  if (!values.orientation.file.empty()) {
+    evaluate_directions(values, folder, summary);
+    const Vec3 diagonal = summary.orientation.diagonal();
+    log.note(fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
+  }
+  summary.wall_s = wall_seconds() - begin;
+  summary.cpu_s = cpu_seconds();
+  write_summary(folder.summary(), summary);
+  return StopReason::done;
+}
+
+StopReason resume_measurement(const MeasurementCase& values, const RunOptions& options,
+                              ResultFolder& folder) {
+  return run_measurement(values, options, folder);
+}
+
+}  // namespace fiberfate

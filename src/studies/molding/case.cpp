@@ -1,0 +1,284 @@
+// Checks a case of the study molding.
+#include "studies/molding/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "studies/molding/setup.hpp"
+
+#include "base/error.hpp"
+#include "molding/gate_nodes.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Share of edges that may lie between obtuse triangles without a word.
+constexpr double most_obtuse = 0.02;
+
+/// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
+constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
+
+/// All keys that can give the flow.
+constexpr const char* flow_keys[] = {"machine.flow_rate",    "machine.fill_time",
+                                     "machine.flow_profile", "machine.flow_by_filled",
+                                     "machine.ram_profile",  "machine.ram_by_filled"};
+
+void validate_machine(const MachineChoices& machine, CaseChecker& checker) {
+  const int given = (machine.flow_rate ? 1 : 0) + (machine.fill_time ? 1 : 0) +
+                    (machine.flow_profile.empty() ? 0 : 1) + (machine.flow_by_filled.empty() ? 0 : 1) +
+                    (machine.ram_profile.empty() ? 0 : 1) + (machine.ram_by_filled.empty() ? 0 : 1);
+  // A profile that could not be read is no second fault.
+  const auto is_sound = [&checker](const char* key) { return checker.is_sound(key); };
+  const bool readable = std::all_of(std::begin(flow_keys), std::end(flow_keys), is_sound);
+  if (given != 1 && readable)
+    checker.error(
+        "machine.flow_rate", given == 0 ? "no flow is given" : "the flow is given in more than one way",
+        "give one of flow_rate, fill_time, flow_profile, flow_by_filled, ram_profile, ram_by_filled");
+  const bool ram = !machine.ram_profile.empty() || !machine.ram_by_filled.empty();
+  if (ram && !machine.barrel_diameter)
+    checker.error("machine.barrel_diameter", "not given; speeds of the ram need it",
+                  "add barrel_diameter = \"50 mm\" under [machine]");
+  if (!ram) checker.warn_unused({"machine.barrel_diameter"}, "ram_profile and ram_by_filled");
+  if (machine.melt_temperature > 0 && !(machine.mold_temperature < machine.melt_temperature))
+    checker.error("machine.mold_temperature", "not less than " + checker.cite("machine.melt_temperature"),
+                  "give the temperature of the cooled mold");
+}
+
+void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
+  const MoldingFiberChoices& fibers = values.fibers;
+  const bool means = fibers.number_average || fibers.weight_average;
+  const int given = (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
+  if (given > 1)
+    checker.error("fibers.length", "lengths are given in more than one way",
+                  "give length, or distribution, or number_average and weight_average");
+  if (given == 0 && (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
+    checker.error("fibers.length", "no lengths are given, but a law of length or the coupling needs them",
+                  "give length, or distribution, or number_average and weight_average");
+  if (means && !(fibers.number_average && fibers.weight_average))
+    checker.error(fibers.number_average ? "fibers.weight_average" : "fibers.number_average", "not given",
+                  "give both mean lengths");
+  else if (means && !(*fibers.number_average <= *fibers.weight_average))
+    checker.error("fibers.number_average", "more than " + checker.cite("fibers.weight_average"),
+                  "L_N is never more than L_W");
+  const auto bins = [](const LawChoice& law) { return law.name == "phelps" || law.name == "durin"; };
+  if (means && (bins(values.law) || bins(values.compared)))
+    checker.error("fibers.number_average", "phelps and durin follow distributions only",
+                  "give fibers.distribution");
+  if (fibers.coupling != CouplingChoice::none && values.orientation.name.empty())
+    checker.error("fibers.coupling", "the coupled viscosity needs the orientation",
+                  "choose a law in [orientation]");
+  if (fibers.coupling == CouplingChoice::none)
+    checker.warn_unused({"fibers.trouton_term", "fibers.trouton_length", "fibers.drag"},
+                        "fibers.coupling = \"informed_isotropic\"");
+  if (fibers.trouton_length && !fibers.trouton_term)
+    checker.error("fibers.trouton_length", "it belongs to fibers.trouton_term, which is not given",
+                  "give both, or none");
+  if (fibers.trouton_length && !(*fibers.trouton_length > fibers.diameter))
+    checker.error("fibers.trouton_length", "not more than " + checker.cite("fibers.diameter"),
+                  "give the length of the fibers");
+  if (values.law.name.empty() && !values.compared.name.empty())
+    checker.error("compare.name", "there is no first law", "choose one in [law]");
+}
+
+void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
+  const MoldingSweep& sweep = values.sweep;
+  for (const MeasuredLength& one : sweep.measured)
+    if (std::none_of(values.output.places.begin(), values.output.places.end(),
+                     [&](const NamedPlace& place) { return place.name == one.place; }))
+      checker.error_in_row("sweep.measured", one.place, fmt::format("there is no place \"{}\"", one.place),
+                           "add it to output.places");
+  if (sweep.parameter.empty()) {
+    checker.warn_unused({"sweep.lower", "sweep.upper", "sweep.count", "sweep.spacing", "sweep.measured"},
+                        "sweep.parameter");
+    return;
+  }
+  const LawMenuItem* law = chosen_law(attrition_menu(), values.law);
+  const auto is_swept = [&](const LawParameter& one) { return one.name == sweep.parameter; };
+  if (law == nullptr || std::none_of(law->parameters.begin(), law->parameters.end(), is_swept))
+    checker.error("sweep.parameter", fmt::format("the law {} has no such parameter", values.law.name),
+                  "name one of [law]");
+  if (!sweep.lower || !sweep.upper || !(*sweep.lower < *sweep.upper))
+    checker.error("sweep.lower", "not given, or not less than sweep.upper", "give lower and upper");
+  else if (sweep.spacing == ParameterScale::logarithmic && !(*sweep.lower > 0))
+    checker.error("sweep.lower", "not positive", "give a positive value, or spacing = \"linear\"");
+  if (values.fibers.coupling != CouplingChoice::none)
+    checker.warn(
+        "sweep.parameter", "the flow is coupled to the fibers of [law] only",
+        "where every value shall have its own flow, name this case under conditions.moldings of the study "
+        "calibration");
+}
+
+/// Requires three coordinates of places on a part that has no flat drawing.
+void validate_coordinates(const MoldingCase& values, CaseChecker& checker) {
+  if (values.part.kind != PartKind::file) return;
+  const auto check = [&checker](const char* key, const std::vector<NamedPlace>& places) {
+    for (const NamedPlace& place : places)
+      if (place.numbers.size() % 3 != 0)
+        checker.error_in_row(key, place.name, "two coordinates, but a part from a file lies in space",
+                             "give x, y and z");
+  };
+  check("gates.places", values.gates.places);
+  check("gates.sensors", values.gates.sensors);
+  check("output.places", values.output.places);
+}
+
+/// Names what a fault of the solver's parameters belongs to: a key of the case, and the row of it that
+/// begins with a name.
+struct FaultPlace {
+  std::string key;
+  std::string row;
+};
+
+/// Finds the place of a fault of one gate, "gate G1.position"; a part's own gate has no row.
+FaultPlace place_at_gate(const std::string& fault) {
+  constexpr std::pair<std::string_view, const char*> keys[] = {
+      {".events", "gates.valves"},
+      {".resistance", "gates.resistance"},
+      {".radius", "gates.radius"},
+      {".position", "gates.places"},
+      {".inlet.orientation", "gates.inlet_orientations"},
+      {".inlet.lengths", "gates.inlet_lengths"},
+      {".inlet.numbers", "gates.inlet_numbers"}};
+  const std::string named = fault.substr(std::string_view("gate ").size());
+  for (const auto& [what, key] : keys)
+    if (named.ends_with(what)) return {key, named.substr(0, named.size() - what.size())};
+  return {"gates.places", ""};
+}
+
+/// Finds the key under which the case gives the flow.
+std::string key_of_flow(const MachineChoices& machine) {
+  if (!machine.flow_profile.empty()) return "machine.flow_profile";
+  if (!machine.flow_by_filled.empty()) return "machine.flow_by_filled";
+  if (!machine.ram_profile.empty()) return "machine.ram_profile";
+  return machine.ram_by_filled.empty() ? "machine.flow_rate" : "machine.ram_by_filled";
+}
+
+/// Finds the place in the case of a fault of the solver's parameters.
+FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
+  const std::string& fault = problem.key;
+  const auto starts = [&fault](const char* with) { return fault.starts_with(with); };
+  if (starts("gates.")) return {fault, problem.value};
+  if (fault == "material.viscosity") return {"melt.name", ""};
+  if (starts("part.") || starts("material.") || starts("numerics") || starts("output.")) return {fault, ""};
+  if (starts("sensor ")) return {"gates.sensors", fault.substr(7, fault.rfind('.') - 7)};
+  if (starts("gate ")) return place_at_gate(fault);
+  if (starts("gate")) return {"gates.places", ""};
+  if (fault == "process.flow") return {key_of_flow(values.machine), ""};
+  if (fault == "process.inlet_temperature") return {"machine.melt_temperature", ""};
+  if (starts("process.mold")) return {"machine.mold_temperature", ""};
+  if (starts("process")) return {"machine.switchover", ""};
+  if (starts("fibers.inlet.orientation")) return {"fibers.inlet_orientation", ""};
+  if (starts("fibers.coupling")) return {"fibers.coupling", ""};
+  if (starts("fibers") || starts("length")) return {"fibers.length", ""};
+  return {values.part.kind == PartKind::file ? "part.file" : "part.kind", ""};
+}
+
+/// Tells which share of the edges lies between triangles so obtuse that it conducts nothing.
+double obtuse_share(const ShellMesh& mesh) {
+  constexpr double round_off = 1e-9;
+  std::vector<double> weights(mesh.edges().size(), 0);
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      weights[static_cast<std::size_t>(mesh.edges_of(t)[k])] += mesh.half_cotangents(t)[k];
+  const auto obtuse =
+      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight < -round_off; });
+  return static_cast<double>(obtuse) / static_cast<double>(weights.size());
+}
+
+/// Meshes the part and lets the solver check what it will be given.
+void validate_filling(const MoldingCase& values, CaseChecker& checker) {
+  try {
+    const MoldingSetup setup = molding_setup(values);
+    const ShellMesh mesh(setup.part.shell);
+    check_params(setup.params, mesh);
+    if (obtuse_share(mesh) > most_obtuse)
+      checker.warn(values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
+                   fmt::format("{:.1f} % of the edges lie between obtuse triangles and conduct nothing",
+                               100 * obtuse_share(mesh)),
+                   "pressures are less exact; a Delaunay mesh has no such edges");
+    for (const NamedPlace& place : values.output.places) {
+      Gate probe;
+      probe.position = position_of(place, setup.part);
+      const double gap = distance_from_part(probe, mesh);
+      if (gap > std::max(values.output.place_radius, 1e-3))
+        checker.error_in_row("output.places", place.name,
+                             fmt::format("\"{}\" lies {:.4g} mm off the part", place.name, 1e3 * gap),
+                             "move it onto the part");
+    }
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems()) {
+      const FaultPlace place = place_of(problem, values);
+      if (!place.row.empty()) {
+        checker.error_in_row(place.key, place.row, problem.complaint, problem.remedy);
+        continue;
+      }
+      std::string subject;
+      if (place.key != problem.key && !problem.key.empty())
+        subject = problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
+      checker.error(place.key, subject + problem.complaint, problem.remedy);
+    }
+  }
+}
+
+}  // namespace
+
+void validate_molding(const MoldingCase& values, CaseChecker& checker) {
+  validate_part(values.part, checker);
+  validate_law(viscosity_menu(), "melt", values.melt, checker);
+  validate_law(orientation_menu(), "orientation", values.orientation, checker);
+  validate_law(attrition_menu(), "law", values.law, checker);
+  validate_law(attrition_menu(), "compare", values.compared, checker);
+  validate_machine(values.machine, checker);
+  validate_lengths(values, checker);
+  validate_sweep(values, checker);
+  validate_coordinates(values, checker);
+  // A part from a file that may be gone is in the checkpoint.
+  const bool meshed_before = values.part.kind == PartKind::file && checker.files_may_be_gone();
+  if (checker.is_sound() && !meshed_before) validate_filling(values, checker);
+}
+
+CaseEstimate estimate_molding(const MoldingCase& values) {
+  const MoldingSetup setup = molding_setup(values);
+  const ShellMesh mesh(setup.part.shell);
+  Vec3 low = setup.part.shell.nodes.front(), high = low;
+  for (const Vec3& node : setup.part.shell.nodes) {
+    low = low.cwiseMin(node);
+    high = high.cwiseMax(node);
+  }
+  const double rate = setup.params.process.flow.at(0, 0);
+  const Vec3 size = 1e3 * (high - low);
+  CaseEstimate estimate;
+  estimate.facts = {
+      {"nodes", fmt::format("{}", mesh.node_count())},
+      {"triangles", fmt::format("{}", mesh.triangle_count())},
+      {"size of the part", fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size.x(), size.y(), size.z())},
+      {"volume", fmt::format("{:.6g} cm^3", 1e6 * mesh.total_volume())},
+      {"area", fmt::format("{:.6g} cm^2", 1e4 * mesh.total_area())},
+      {"regions", fmt::format("{}", fmt::join(setup.part.regions, ", "))},
+      {"gates", fmt::format("{}", setup.params.gates.size())},
+      {"flow rate at the start", fmt::format("{:.6g} cm^3/s", 1e6 * rate)},
+      {"fill time at that rate", fmt::format("{:.6g} s", mesh.total_volume() / rate)},
+      {"length laws", fmt::format("{}", setup.params.fibers.length_sets.size())}};
+  const double points =
+      0.5 * static_cast<double>(mesh.node_count()) * static_cast<double>(values.numerics.layers);
+  const double fields =
+      static_cast<double>(setup.params.fibers.length_sets.size() *
+                          std::max<std::size_t>(1, setup.params.fibers.class_lengths.size()));
+  const double cost = flow_cost + (values.numerics.heat == HeatModel::full ? heat_cost : 0) +
+                      (values.orientation.name.empty() ? 0 : orientation_cost) + length_cost * fields;
+  estimate.memory_bytes = 3e7 + points * (200 + 24 * fields) + 2e3 * static_cast<double>(mesh.node_count());
+  estimate.wall_seconds = 1e-6 * cost * points * static_cast<double>(values.numerics.steps);
+  estimate.assumption = "two threads";
+  return estimate;
+}
+
+CaseKind molding_kind() {
+  return case_kind("molding", "fill a mold with melt: fibers orient and break on the way", describe_molding,
+                   validate_molding);
+}
+
+}  // namespace fiberfate

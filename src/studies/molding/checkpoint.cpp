@@ -1,0 +1,208 @@
+// Keeps fillings in HDF5 (docs/formats/checkpoint.md).
+#include "studies/molding/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <span>
+#include <utility>
+
+#include "base/error.hpp"
+#include "results/checkpoint_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+/// Writes parts of a checkpoint or reads them back: one list of names serves both ways.
+class Saver {
+ public:
+  explicit Saver(Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, std::vector<T>& values) {
+    file_.write(name, std::span<const T>(values));
+  }
+  template <class T>
+  void number(const char* name, T& value) {
+    file_.write_attribute("state", name, value);
+  }
+  template <class Enum>
+  void choice(const char* name, Enum& value) {
+    file_.write_attribute("state", name, static_cast<std::int64_t>(value));
+  }
+
+ private:
+  Hdf5File& file_;
+};
+
+class Loader {
+ public:
+  explicit Loader(const Hdf5File& file) : file_(file) {}
+  template <class T>
+  void array(const std::string& name, std::vector<T>& values) {
+    values = file_.read<T>(name);
+  }
+  template <class T>
+  void number(const char* name, T& value) {
+    value = file_.read_attribute<T>("state", name);
+  }
+  template <class Enum>
+  void choice(const char* name, Enum& value) {
+    value = static_cast<Enum>(file_.read_attribute<std::int64_t>("state", name));
+  }
+
+ private:
+  const Hdf5File& file_;
+};
+
+/// Names every number and plain array of the state once.
+template <class Visitor>
+void visit_state(Visitor& visitor, FillingState& state) {
+  visitor.number("time", state.time);
+  visitor.number("steps", state.steps);
+  visitor.choice("end", state.stop_reason);
+  visitor.choice("control", state.control);
+  visitor.number("sprue_pressure", state.sprue_pressure);
+  visitor.number("flow_rate", state.flow_rate);
+  visitor.number("held_pressure", state.held_pressure);
+  visitor.number("injected_volume", state.injected_volume);
+  visitor.number("filled_volume", state.filled_volume);
+  visitor.number("heat_brought_in", state.heat.brought_in);
+  visitor.number("heat_dissipated", state.heat.dissipated);
+  visitor.number("heat_to_mold", state.heat.to_mold);
+  visitor.array("state/sensor_arrivals", state.sensor_arrivals);
+  visitor.array("state/filled", state.filled);
+  visitor.array("state/excess", state.excess);
+  visitor.array("state/fill_time", state.fill_time);
+  visitor.array("state/pressure", state.pressure);
+  visitor.array("state/temperature", state.temperature);
+  visitor.array("state/rate", state.rate);
+  for (std::size_t k = 0; k < state.orientation.size(); ++k)
+    visitor.array(fmt::format("state/orientation_{}", k), state.orientation[k]);
+  visitor.array("state/lengths", state.lengths);
+}
+
+template <class Visitor, class Record>
+void visit_record(Visitor& visitor, Record& record) {
+  visitor.number("series_rows", record.series_rows);
+  visitor.number("frames", record.frames);
+  visitor.number("wall_s", record.wall_s);
+  visitor.number("cpu_s", record.cpu_s);
+  visitor.number("greatest_pressure", record.greatest_pressure);
+}
+
+constexpr std::size_t gate_numbers = 5, event_numbers = 4;
+
+void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
+  const FillingState& state = checkpoint.state;
+  std::vector<double> gates, events;
+  for (const GateState& gate : state.gates)
+    gates.insert(gates.end(),
+                 {static_cast<double>(gate.moves), gate.arrival_time, gate.pressure, gate.rate, gate.volume});
+  for (const FillingEvent& event : state.events)
+    events.insert(events.end(), {event.time, event.filled_fraction, static_cast<double>(event.kind),
+                                 static_cast<double>(event.gate)});
+  std::vector<std::uint8_t> mark;
+  for (const NodeMark one : state.mark) mark.push_back(static_cast<std::uint8_t>(one));
+  file.write("state/gates", std::span<const double>(gates), gate_numbers);
+  file.write("state/events", std::span<const double>(events), event_numbers);
+  for (const auto& [name, vectors] :
+       {std::pair("state/inflow", &state.inflow), {"state/gradient", &state.gradient}}) {
+    std::vector<double> numbers;
+    for (const Vec2& vector : *vectors) numbers.insert(numbers.end(), vector.data(), vector.data() + 2);
+    file.write(name, std::span<const double>(numbers), 2);
+  }
+  const std::vector<std::uint8_t> covered(state.covered.begin(), state.covered.end());
+  file.write("state/covered", std::span<const std::uint8_t>(covered));
+  file.write("state/mark", std::span<const std::uint8_t>(mark));
+}
+
+void read_structures(const Hdf5File& file, FillingState& state) {
+  const auto gates = file.read<double>("state/gates"), events = file.read<double>("state/events");
+  for (std::size_t i = 0; i < gates.size(); i += gate_numbers)
+    state.gates.push_back(
+        {static_cast<int>(gates[i]), gates[i + 1], gates[i + 2], gates[i + 3], gates[i + 4]});
+  for (std::size_t i = 0; i < events.size(); i += event_numbers)
+    state.events.push_back({events[i], events[i + 1],
+                            static_cast<FillingEventKind>(static_cast<int>(events[i + 2])),
+                            static_cast<int>(events[i + 3])});
+  for (const auto& [name, vectors] :
+       {std::pair("state/inflow", &state.inflow), {"state/gradient", &state.gradient}}) {
+    const auto numbers = file.read<double>(name);
+    for (std::size_t i = 0; i < numbers.size(); i += 2) vectors->emplace_back(numbers[i], numbers[i + 1]);
+  }
+  const auto covered = file.read<std::uint8_t>("state/covered");
+  state.covered.assign(covered.begin(), covered.end());
+  for (const std::uint8_t one : file.read<std::uint8_t>("state/mark"))
+    state.mark.push_back(static_cast<NodeMark>(one));
+}
+
+void write_shell(Hdf5File& file, const Shell& shell) {
+  std::vector<double> nodes;
+  for (const Vec3& node : shell.nodes) nodes.insert(nodes.end(), node.data(), node.data() + 3);
+  std::vector<std::int32_t> triangles;
+  for (const auto& triangle : shell.triangles)
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  const std::vector<std::int32_t> region(shell.region.begin(), shell.region.end());
+  file.write("shell/nodes", std::span<const double>(nodes), 3);
+  file.write("shell/triangles", std::span<const std::int32_t>(triangles), 3);
+  file.write("shell/thickness", std::span<const double>(shell.thickness));
+  file.write("shell/region", std::span<const std::int32_t>(region));
+  file.write_attribute("shell", "junctions", static_cast<std::int64_t>(shell.junctions));
+}
+
+Shell read_shell(const Hdf5File& file) {
+  Shell shell;
+  const auto nodes = file.read<double>("shell/nodes");
+  for (std::size_t i = 0; i < nodes.size(); i += 3)
+    shell.nodes.emplace_back(nodes[i], nodes[i + 1], nodes[i + 2]);
+  const auto triangles = file.read<std::int32_t>("shell/triangles");
+  for (std::size_t i = 0; i < triangles.size(); i += 3)
+    shell.triangles.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
+  shell.thickness = file.read<double>("shell/thickness");
+  const auto region = file.read<std::int32_t>("shell/region");
+  shell.region.assign(region.begin(), region.end());
+  shell.junctions = static_cast<Junctions>(file.read_attribute<std::int64_t>("shell", "junctions"));
+  return shell;
+}
+
+/// Fills a new checkpoint file.
+CheckpointBody body_of(const MoldingCheckpoint& checkpoint) {
+  return [&checkpoint](Hdf5File& file) {
+    file.write_text_attribute("/", "study", "molding");
+    file.make_group("state");
+    MoldingCheckpoint copy = checkpoint;
+    Saver saver(file);
+    visit_state(saver, copy.state);
+    visit_record(saver, copy.record);
+    write_structures(file, checkpoint);
+    write_shell(file, checkpoint.shell);
+  };
+}
+
+}  // namespace
+
+void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint) {
+  write_checkpoint_file(path, body_of(checkpoint));
+}
+
+void save_molding(const ResultFolder& folder, const MoldingCheckpoint& checkpoint) {
+  rotate_checkpoints(folder, body_of(checkpoint));
+}
+
+MoldingCheckpoint read_molding(const std::string& path) {
+  const Hdf5File file = open_checkpoint_file(path);
+  MoldingCheckpoint checkpoint;
+  Loader loader(file);
+  visit_state(loader, checkpoint.state);
+  visit_record(loader, checkpoint.record);
+  read_structures(file, checkpoint.state);
+  checkpoint.shell = read_shell(file);
+  return checkpoint;
+}
+
+MoldingCheckpoint load_molding(const ResultFolder& folder, RunLog& log) {
+  MoldingCheckpoint checkpoint;
+  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_molding(path); });
+  return checkpoint;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,124 @@
+// Averages lengths over gap, samples and part.
+#include "studies/molding/fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fiberfate {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void append(LengthClasses& all, const LengthClasses& some, double weight) {
+  all.lengths.insert(all.lengths.end(), some.lengths.begin(), some.lengths.end());
+  for (const double number : some.numbers) all.numbers.push_back(weight * number);
+}
+
+MeanLengths means_of(const LengthClasses& population) {
+  return population.lengths.empty() ? MeanLengths{nan, nan} : mean_lengths(population);
+}
+
+}  // namespace
+
+LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::size_t layer) const {
+  LengthClasses population;
+  if (!is_wet(node) || setup_.reading == LengthReading::means) return population;
+  const std::span<const double> fields = filling_.lengths(set, node, layer);
+  const std::span<const double> bins = filling_.bin_lengths(set);
+  if (!bins.empty()) {
+    population.lengths.assign(bins.begin(), bins.end());
+    population.numbers.assign(fields.begin(), fields.end());
+    return population;
+  }
+  const MoldingFibers& fibers = setup_.params.fibers;
+  const std::span<const double> amounts = filling_.amounts(node, layer);
+  population.lengths.assign(fields.begin(), fields.end());
+  for (std::size_t c = 0; c < fields.size(); ++c) {
+    const bool keeps_length = fibers.class_weight == ClassWeight::length;
+    const double amount = !amounts.empty() ? amounts[c]
+                          : keeps_length   ? fibers.class_numbers[c] * fibers.class_lengths[c]
+                                           : fibers.class_numbers[c];
+    population.numbers.push_back(keeps_length ? amount / fields[c] : amount);
+  }
+  return population;
+}
+
+LengthClasses MoldingFields::population(std::size_t set, std::size_t node) const {
+  LengthClasses all;
+  const std::span<const double> widths = filling_.layers().widths();
+  for (std::size_t layer = 0; layer < widths.size(); ++layer)
+    append(all, population(set, node, layer), widths[layer]);
+  return all;
+}
+
+MeanLengths MoldingFields::means(std::size_t set, std::size_t node, std::size_t layer) const {
+  if (!is_wet(node)) return {nan, nan};
+  if (setup_.reading == LengthReading::population) return means_of(population(set, node, layer));
+  const std::span<const double> both = filling_.lengths(set, node, layer);
+  return {both[0], both[1]};
+}
+
+MeanLengths MoldingFields::means(std::size_t set, std::size_t node) const {
+  const Index one[] = {static_cast<Index>(node)};
+  return means(set, one);
+}
+
+MeanLengths MoldingFields::means(std::size_t set, std::span<const Index> nodes) const {
+  const std::span<const double> widths = filling_.layers().widths();
+  LengthClasses all;
+  MeanLengths sum;
+  double weights = 0;
+  for (const Index index : nodes) {
+    const auto node = static_cast<std::size_t>(index);
+    if (!is_wet(node)) continue;
+    const double volume = filling_.mesh().volume(node) * filling_.state().filled[node];
+    weights += volume;
+    if (setup_.reading == LengthReading::population) {
+      append(all, population(set, node), volume);
+      continue;
+    }
+    for (std::size_t layer = 0; layer < widths.size(); ++layer) {
+      const std::span<const double> both = filling_.lengths(set, node, layer);
+      sum.number_average += volume * widths[layer] * both[0];
+      sum.weight_average += volume * widths[layer] * both[1];
+    }
+  }
+  if (weights <= 0) return {nan, nan};
+  if (setup_.reading == LengthReading::population) return means_of(all);
+  return {sum.number_average / weights, sum.weight_average / weights};
+}
+
+LengthClasses MoldingFields::inlet_population() const {
+  if (setup_.reading == LengthReading::means) return {};
+  return {setup_.params.fibers.class_lengths, setup_.params.fibers.class_numbers};
+}
+
+MeanLengths MoldingFields::inlet_means() const {
+  const std::vector<double>& lengths = setup_.params.fibers.class_lengths;
+  if (setup_.reading == LengthReading::means) return {lengths[0], lengths[1]};
+  return means_of(inlet_population());
+}
+
+std::vector<Index> sample_nodes(const MoldingFields& fields, const NamedPlace& place) {
+  const ShellMesh& mesh = fields.filling().mesh();
+  const Vec3 at = position_of(place, fields.setup().part);
+  std::vector<Index> nodes;
+  for (std::size_t i = 0; i < mesh.node_count(); ++i)
+    if ((mesh.shell().nodes[i] - at).norm() <= fields.values().output.place_radius)
+      nodes.push_back(static_cast<Index>(i));
+  if (nodes.empty()) nodes.push_back(static_cast<Index>(mesh.nearest_node(at)));
+  return nodes;
+}
+
+std::vector<ShellEdge> weld_edges(const Filling& filling) {
+  const std::vector<NodeMark>& mark = filling.state().mark;
+  std::vector<ShellEdge> edges;
+  for (const ShellEdge& edge : filling.mesh().edges())
+    if (mark[static_cast<std::size_t>(edge.first)] == NodeMark::weld_line &&
+        mark[static_cast<std::size_t>(edge.second)] == NodeMark::weld_line)
+      edges.push_back(edge);
+  return edges;
+}
+
+}  // namespace fiberfate

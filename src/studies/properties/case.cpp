@@ -1,0 +1,161 @@
+// Describes the keys of the study properties, checks a case, and makes from it what the models take.
+#include "studies/properties/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "keys/law_choice.hpp"
+#include "microstructure/closure.hpp"
+#include "packing/population.hpp"
+
+namespace fiberfate {
+namespace {
+
+void describe_elasticity(KeyTable& table, const std::string& section, IsotropicElasticity& elasticity,
+                         double& expansion, double& density) {
+  table.quantity(
+      section + ".youngs_modulus", elasticity.modulus,
+      {.text = "Young's modulus.", .unit = "Pa", .friendly = "GPa", .range = Range::positive(1e13)});
+  table.quantity(section + ".poisson_ratio", elasticity.poisson,
+                 {.text = "Poisson's ratio.", .range = Range::inside(-1, 0.5)});
+  table.quantity(section + ".expansion", expansion,
+                 {.text = "Linear thermal expansion.", .unit = "1/K", .range = Range::between(-1e-2, 1e-2)});
+  table.quantity(section + ".density", density,
+                 {.text = "Density; it matters only with fibers.weight_fraction.",
+                  .unit = "kg/m3",
+                  .range = Range::positive(1e5)});
+}
+
+void describe_fibers(KeyTable& table, CompositeFiberChoices& fibers) {
+  table.section("fibers", "The fibers; give one fraction, and an aspect ratio, a length or a distribution.");
+  table.quantity("fibers.volume_fraction", fibers.volume_fraction,
+                 {.text = "Volume of the fibers over that of the part.",
+                  .range = Range::between(0, 1),
+                  .example = "\"13.2 %\""});
+  table.quantity("fibers.weight_fraction", fibers.weight_fraction,
+                 {.text = "Weight of the fibers over that of the part, instead of volume_fraction.",
+                  .range = Range::between(0, 1),
+                  .example = "\"30 %\""});
+  table.quantity("fibers.aspect_ratio", fibers.aspect_ratio,
+                 {.text = "Length over diameter.", .range = Range::positive(1e9), .example = "25"});
+  table.quantity("fibers.length", fibers.length,
+                 {.text = "One length of all fibers, instead of aspect_ratio.",
+                  .unit = "m",
+                  .friendly = "mm",
+                  .range = Range::positive(10),
+                  .example = "\"2 mm\""});
+  table.rows("fibers.distribution", fibers.distribution,
+             {{"length", {"m", "mm"}, Range::positive(10)}, {"number", {"1", "1"}, Range::not_negative()}},
+             {.text = "Rows [length, number of fibers], or the path of a text file with such rows in SI, "
+                      "distribution.csv of a measurement, say; the properties are averaged by volume.",
+              .example = R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])"});
+  table.quantity("fibers.diameter", fibers.diameter,
+                 {.text = "Diameter, which makes an aspect ratio of a length.",
+                  .unit = "m",
+                  .friendly = "um",
+                  .range = Range::positive(1e-2)});
+  table.orientation("fibers.orientation", fibers.orientation, {.text = "Orientation tensor A2."});
+  describe_elasticity(table, "fibers", fibers.elasticity, fibers.expansion, fibers.density);
+}
+
+void validate_fraction(const CompositeFiberChoices& fibers, CaseChecker& checker) {
+  if (fibers.volume_fraction.has_value() != fibers.weight_fraction.has_value()) return;
+  if (checker.is_sound("fibers.volume_fraction") && checker.is_sound("fibers.weight_fraction"))
+    checker.error(
+        "fibers.volume_fraction",
+        fibers.volume_fraction ? "contradicts " + checker.cite("fibers.weight_fraction")
+                               : std::string("not given, nor is weight_fraction"),
+        fibers.volume_fraction ? "remove one of the two" : "add volume_fraction = \"13.2 %\" under [fibers]");
+}
+
+void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker) {
+  const int given =
+      (fibers.aspect_ratio ? 1 : 0) + (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1);
+  const bool sound = checker.is_sound("fibers.aspect_ratio") && checker.is_sound("fibers.length") &&
+                     checker.is_sound("fibers.distribution");
+  if (given != 1 && sound)
+    checker.error(
+        "fibers.aspect_ratio",
+        given == 0 ? "not given, nor is length or distribution" : "lengths are given in more than one way",
+        "give one of aspect_ratio, length and distribution");
+  if (!fibers.distribution.empty() && std::all_of(fibers.distribution.begin(), fibers.distribution.end(),
+                                                  [](const auto& row) { return row[1] == 0; }))
+    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
+  if (fibers.aspect_ratio)
+    checker.warn_unused({"fibers.diameter"}, "a case with fibers.length or fibers.distribution");
+}
+
+}  // namespace
+
+void describe_properties(KeyTable& table, PropertiesCase& values) {
+  describe_fibers(table, values.fibers);
+  table.section("matrix", "The matrix; the defaults are polypropylene.");
+  describe_elasticity(table, "matrix", values.matrix.elasticity, values.matrix.expansion,
+                      values.matrix.density);
+  table.section("solution", "How properties are predicted (docs/theory/properties.md).");
+  table.choice("solution.model", values.model,
+               {{Homogenisation::halpin_tsai, "halpin_tsai", "semi-empirical interpolation"},
+                {Homogenisation::mori_tanaka, "mori_tanaka", "mean field with Eshelby's tensor"},
+                {Homogenisation::lielens, "lielens", "between the bounds; stiffer at high fractions"}},
+               {.text = "Stiffness of aligned fibers."});
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
+  describe_name(table, "solution.closure", values.closure, std::move(names),
+                {.text = "How A4 is made from A2 (docs/theory/closures.md)."});
+}
+
+void validate_properties(const PropertiesCase& values, CaseChecker& checker) {
+  validate_fraction(values.fibers, checker);
+  validate_lengths(values.fibers, checker);
+  if (!values.fibers.weight_fraction)
+    checker.warn_unused({"fibers.density", "matrix.density"}, "a case with fibers.weight_fraction");
+  if (!checker.is_sound()) return;
+  try {
+    const auto aligned =
+        length_average(composite_material(values), aspect_ratios(values.fibers), values.model);
+    if (!stores_energy(aligned.stiffness))
+      checker.warn("solution.model", "gives a material that some strain would take energy from",
+                   "take mori_tanaka or lielens, or other Poisson's ratios");
+  } catch (const InputError& error) {
+    const InputProblem& problem = error.problems().front();
+    checker.error("fibers.youngs_modulus", problem.complaint, problem.remedy);
+  }
+}
+
+CaseEstimate estimate_properties(const PropertiesCase& values) {
+  CaseEstimate estimate;
+  const std::vector<AspectRatioClass> classes = aspect_ratios(values.fibers);
+  double shares = 0, ratio = 0;
+  for (const AspectRatioClass& one : classes) {
+    shares += one.volume_share;
+    ratio += one.volume_share * one.aspect_ratio;
+  }
+  estimate.facts = {{"volume fraction", fmt::format("{:.6g}", composite_material(values).volume_fraction)},
+                    {"aspect ratio, averaged by volume", fmt::format("{:.6g}", ratio / shares)}};
+  estimate.memory_bytes = 1e7;
+  estimate.wall_seconds = 1e-5 * static_cast<double>(classes.size());
+  estimate.assumption = "10 us a length";
+  return estimate;
+}
+
+CompositeMaterial composite_material(const PropertiesCase& values) {
+  const CompositeFiberChoices& fibers = values.fibers;
+  const double fraction =
+      fibers.weight_fraction
+          ? volume_from_weight_fraction(*fibers.weight_fraction, fibers.density, values.matrix.density)
+          : fibers.volume_fraction.value_or(0);
+  return {fibers.elasticity, values.matrix.elasticity, fibers.expansion, values.matrix.expansion, fraction};
+}
+
+std::vector<AspectRatioClass> aspect_ratios(const CompositeFiberChoices& fibers) {
+  if (fibers.aspect_ratio) return {{*fibers.aspect_ratio, 1}};
+  if (fibers.length) return {{*fibers.length / fibers.diameter, 1}};
+  std::vector<AspectRatioClass> classes;
+  for (const std::vector<double>& row : fibers.distribution)
+    classes.push_back({row[0] / fibers.diameter, row[0] * row[1]});
+  return classes;
+}
+
+}  // namespace fiberfate

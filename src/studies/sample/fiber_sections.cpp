@@ -1,0 +1,281 @@
+// Builds the sections of reports that the studies of fibers share.
+#include "studies/sample/fiber_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "fibers/observables.hpp"
+#include "results/fiber_frame.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr double most_bins = 400;
+constexpr std::int64_t most_nodes = 600000;  // of all frames of a page together: some 10 MB of HTML
+constexpr double curvature_bins = 50;
+constexpr Index most_projected = 400;  // fibers in a projection: more only fill it
+
+std::size_t nearest_frame(const std::vector<double>& times, double time) {
+  const auto nearer = [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
+  return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+}
+
+/// Reads the frames nearest to the times, each once.
+std::vector<FiberState> states_at(const VtkhdfReader& frames, const std::vector<double>& times) {
+  std::vector<std::size_t> numbers;
+  for (const double time : times) numbers.push_back(nearest_frame(frames.times(), time));
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::vector<FiberState> states;
+  for (const std::size_t number : numbers) states.push_back(fibers_of(frames.read(number)));
+  return states;
+}
+
+std::string label_of(const FiberState& state) {
+  return fmt::format("{:.4g} s", state.time);
+}
+
+std::vector<double> curvatures_of(const FiberState& state) {
+  std::vector<double> curvatures = hinge_radii(state);
+  for (double& value : curvatures) value = 1 / value;
+  return curvatures;
+}
+
+/// Outlines the cell as it is seen along an axis.
+ReportSeries cell_outline(const Cell& cell, int across, int up) {
+  ReportSeries outline{"cell", {}, CurveStyle::dashed};
+  const Vec3 first = cell.lattice.col(across), second = cell.lattice.col(up);
+  for (const Vec3& corner : {Vec3(Vec3::Zero()), first, Vec3(first + second), second, Vec3(Vec3::Zero())}) {
+    outline.x.push_back(corner[across]);
+    outline.values.push_back(corner[up]);
+  }
+  return outline;
+}
+
+FiberFrame frame_to_show(const PolyFrame& polylines) {
+  FiberFrame frame;
+  frame.time_s = polylines.time;
+  const std::vector<double> lattice = numbers_of(polylines.frame_data, "lattice");
+  for (std::size_t i = 0; i < 9; ++i)
+    frame.lattice(static_cast<int>(i / 3), static_cast<int>(i % 3)) = lattice.at(i);
+  frame.points.assign(polylines.points.begin(), polylines.points.end());
+  frame.offsets.assign(polylines.offsets.begin(), polylines.offsets.end());
+  for (const double id : numbers_of(polylines.cell_data, "birth_id"))
+    frame.birth.push_back(static_cast<std::int32_t>(id));
+  for (const double radius : numbers_of(polylines.cell_data, "radius"))
+    frame.radius.push_back(static_cast<float>(radius));
+  return frame;
+}
+
+void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
+  if (fibers.count) facts.push_back({"Fibers", *fibers.count});
+  if (fibers.volume_fraction) facts.push_back({"Volume fraction", 100 * *fibers.volume_fraction, "%"});
+  if (fibers.weight_fraction) facts.push_back({"Weight fraction", 100 * *fibers.weight_fraction, "%"});
+}
+
+/// Puts a law of lengths into words.
+struct LawTeller {
+  static std::string means(double number, double weight) {
+    return fmt::format("means {:.4g} mm by number, {:.4g} mm by weight", 1e3 * number, 1e3 * weight);
+  }
+  std::string operator()(const SingleLength& law) const { return fmt::format("{:.4g} mm", 1e3 * law.length); }
+  std::string operator()(const LengthHistogram& law) const {
+    return fmt::format("histogram of {} bins, {:.4g} to {:.4g} mm", law.heights.size(),
+                       1e3 * law.edges.front(), 1e3 * law.edges.back());
+  }
+  std::string operator()(const ListedLengths& law) const {
+    return fmt::format("{} measured lengths", law.lengths.size());
+  }
+  std::string operator()(const WeibullLengths& law) const {
+    return "Weibull, " + means(law.number_average, law.weight_average);
+  }
+  std::string operator()(const LogNormalLengths& law) const {
+    return "log-normal, " + means(law.number_average, law.weight_average);
+  }
+};
+
+std::string describe(const LengthLaw& law) {
+  return std::visit(LawTeller(), law);
+}
+
+}  // namespace
+
+std::vector<Fact> sample_facts(const SampleCase& sample) {
+  const FiberChoices& fibers = sample.fibers;
+  std::vector<Fact> facts;
+  append_amount(facts, fibers);
+  if (fibers.length)
+    facts.push_back({"Fiber length", *fibers.length, "m"});
+  else if (sample.cluster.source == ClusterSource::generate)
+    facts.push_back({"Fiber lengths", describe(length_law(fibers))});
+  facts.push_back({"Fiber diameter", fibers.diameter, "m"});
+  facts.push_back({"Young's modulus", fibers.youngs_modulus, "Pa"});
+  if (fibers.rod_length) facts.push_back({"Rod length", *fibers.rod_length, "m"});
+  for (std::size_t i = 0; i < fibers.more_kinds.size(); ++i) {
+    const FurtherKind& kind = fibers.more_kinds[i];
+    facts.push_back({fmt::format("Kind {}", i + 2),
+                     fmt::format("{:.4g} µm, {:.4g} GPa; {}", 1e6 * kind.diameter, 1e-9 * kind.youngs_modulus,
+                                 describe(length_law(kind))),
+                     "", fmt::format("{:.4g} times the volume of the first", kind.volume_share)});
+  }
+  if (sample.cell_size)
+    facts.push_back({"Cell", fmt::format("{:.4g} × {:.4g} × {:.4g} mm", 1e3 * sample.cell_size->x(),
+                                         1e3 * sample.cell_size->y(), 1e3 * sample.cell_size->z())});
+  if (sample.cluster.source == ClusterSource::file)
+    facts.push_back({"Fibers read from", sample.cluster.file});
+  if (!sample.cluster.directions.empty())
+    facts.push_back(
+        {"Orientation wanted", fmt::format("{} measured directions", sample.cluster.directions.size())});
+  else if (sample.cluster.source == ClusterSource::generate)
+    facts.push_back({"Orientation wanted", sample.cluster.orientation, "", "A_2 by length"});
+  return facts;
+}
+
+std::vector<Fact> outcome_facts(const SummaryFile& summary) {
+  return {{"Fibers", summary.count("fibers")},
+          {"Rods", summary.count("rods")},
+          {"L_N", summary.number("L_N_m"), "m"},
+          {"L_W", summary.number("L_W_m"), "m"},
+          {"Volume fraction", 100 * summary.number("volume_fraction"), "%"},
+          {"Smallest radius of curvature", summary.number("min_radius_m"), "m"},
+          {"Contacts a fiber", summary.number("contacts_per_fiber")},
+          {"Largest overlap", summary.number("max_overlap_radii"), "radii"},
+          {"Orientation A_2", summary.tensor("A2"), "", "by length"}};
+}
+
+FactsSection effort_section(const SummaryFile& summary) {
+  FactsSection section{"effort", "Effort", {}};
+  section.rows = {{"Wall time", summary.number("wall_s"), "s"},
+                  {"Processor time", summary.number("cpu_s"), "s"},
+                  {"Threads", summary.count("threads")},
+                  {"Largest memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
+  if (summary.count("steps") == 0) return section;
+  section.rows.push_back({"Steps", summary.count("steps")});
+  section.rows.push_back(
+      {"Rod-steps a second", summary.number("segment_steps_per_s"), "", "of stepping, without output"});
+  const std::vector<double> seconds = summary.timings();
+  for (std::size_t phase = 0; phase < phase_count; ++phase)
+    section.rows.push_back({std::string("Phase ") + phase_names[phase], seconds[phase], "s"});
+  return section;
+}
+
+LinesSection lines_over_time(const std::string& id, const std::string& title, const ReportAxis& y,
+                             const CsvTable& series, const std::vector<Curve>& curves) {
+  LinesSection section{id, title, {"time", "s"}, y, series.column("time_s"), {}};
+  for (const Curve& curve : curves)
+    section.series.push_back({curve.label, series.column(curve.column), curve.style});
+  return section;
+}
+
+std::vector<double> bin_edges(double highest, double width) {
+  if (!(highest > 0)) highest = width;
+  const double bins = std::clamp(std::ceil(highest / width * (1 - 1e-9)), 1.0, most_bins);
+  const double step = bins == most_bins ? highest / bins : width;
+  std::vector<double> edges;
+  for (int i = 0; i <= static_cast<int>(bins); ++i) edges.push_back(i * step);
+  return edges;
+}
+
+std::vector<double> counts(const std::vector<double>& values, const std::vector<double>& edges) {
+  std::vector<double> bins(edges.size() - 1, 0.0);
+  for (const double value : values) {
+    if (!(value >= edges.front()) || value > edges.back() * (1 + 1e-9)) continue;
+    const auto above = std::upper_bound(edges.begin(), edges.end(), value);
+    bins[std::min(static_cast<std::size_t>(above - edges.begin()), bins.size()) - 1] += 1;
+  }
+  return bins;
+}
+
+HistogramSection length_section(const VtkhdfReader& frames, const std::vector<double>& times,
+                                double bin_width) {
+  const std::vector<FiberState> states = states_at(frames, times);
+  double longest = 0;
+  for (const FiberState& state : states) {
+    for (const double length : fiber_lengths(state)) longest = std::max(longest, length);
+  }
+  HistogramSection section{
+      "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, bin_edges(longest, bin_width), {}};
+  for (const FiberState& state : states)
+    section.frames.push_back({label_of(state), counts(fiber_lengths(state), section.edges)});
+  return section;
+}
+
+HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector<double>& times) {
+  const std::vector<FiberState> states = states_at(frames, times);
+  double largest = 0;
+  for (const FiberState& state : states) {
+    for (const double curvature : curvatures_of(state)) largest = std::max(largest, curvature);
+  }
+  if (!(largest > 0)) largest = 1;
+  HistogramSection section{"curvature",
+                           "Curvature at hinges",
+                           {"curvature 1/R", "1/m"},
+                           {"hinges"},
+                           bin_edges(largest, largest / curvature_bins),
+                           {}};
+  for (const FiberState& state : states)
+    section.frames.push_back({label_of(state), counts(curvatures_of(state), section.edges)});
+  return section;
+}
+
+std::vector<double> fiber_lengths(const FiberState& state) {
+  std::vector<double> lengths;
+  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) lengths.push_back(fiber_length(state, fiber));
+  return lengths;
+}
+
+std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
+  const FiberState state = fibers_of(frames.read(frames.times().size() - 1));
+  const Index stride = 1 + state.fiber_count() / most_projected;
+  constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<LinesSection> sections;
+  for (int along = 2; along >= 0; --along) {
+    const int across = along == 0 ? 1 : 0, up = along == 2 ? 1 : 2;
+    const char* seen = axes[static_cast<std::size_t>(along)];
+    LinesSection section{fmt::format("projection_{}", seen),
+                         fmt::format("Seen along {}", seen),
+                         {axes[static_cast<std::size_t>(across)], "m"},
+                         {axes[static_cast<std::size_t>(up)], "m"},
+                         {},
+                         {{"fibers", {}}}};
+    ReportSeries& fibers = section.series.front();
+    for (Index fiber = 0; fiber < state.fiber_count(); fiber += stride) {
+      for (Index node = state.begin_node(fiber); node < state.end_node(fiber); ++node) {
+        const Vec3& x = state.position[static_cast<std::size_t>(node)];
+        fibers.x.push_back(x[across]);
+        fibers.values.push_back(x[up]);
+      }
+      fibers.x.push_back(fibers.x.back());
+      fibers.values.push_back(gap);
+    }
+    section.series.push_back(cell_outline(state.cell, across, up));
+    section.scales = LinesSection::Scales::equal;
+    section.caption = "Whole fibers, also where they leave the cell and come in again on its other side.";
+    if (stride > 1) section.caption += fmt::format(" One fiber of {} is drawn.", stride);
+    sections.push_back(std::move(section));
+  }
+  return sections;
+}
+
+FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption) {
+  FibersSection section{"cell", "The cell", {}, caption};
+  const std::size_t all = frames.times().size();
+  if (all == 0) return section;
+  const auto nodes = static_cast<std::int64_t>(frames.read(all - 1).points.size() / 3);
+  const auto shown = static_cast<std::size_t>(std::clamp<std::int64_t>(
+      most_nodes / std::max<std::int64_t>(nodes, 1), 1, static_cast<std::int64_t>(all)));
+  // Evenly spread, the last one always among them.
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t number = shown == 1 ? all - 1 : i * (all - 1) / (shown - 1);
+    section.frames.push_back(frame_to_show(frames.read(number)));
+  }
+  return section;
+}
+
+}  // namespace fiberfate

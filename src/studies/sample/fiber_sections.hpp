@@ -1,0 +1,57 @@
+// Builds the sections of reports that the studies of fibers share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/csv_table.hpp"
+#include "io/vtkhdf_file.hpp"
+#include "results/report_document.hpp"
+#include "results/result_folder.hpp"
+#include "results/summary.hpp"
+#include "studies/sample/case.hpp"
+
+namespace fiberfate {
+
+/// Lists what was asked of the fibers at the start.
+[[nodiscard]] std::vector<Fact> sample_facts(const SampleCase& sample);
+
+/// Lists what every summary tells: fibers, lengths, orientation, volume fraction, overlap.
+[[nodiscard]] std::vector<Fact> outcome_facts(const SummaryFile& summary);
+
+/// Lists times, memory and speed.
+[[nodiscard]] FactsSection effort_section(const SummaryFile& summary);
+
+/// Names columns of a table to draw over time, with the labels of the curves.
+struct Curve {
+  const char* column;
+  const char* label;
+  CurveStyle style = CurveStyle::line;
+};
+/// Draws columns of series.csv over time.
+[[nodiscard]] LinesSection lines_over_time(const std::string& id, const std::string& title,
+                                           const ReportAxis& y, const CsvTable& series,
+                                           const std::vector<Curve>& curves);
+
+/// Makes equal bins of about the given width that cover [0, highest].
+[[nodiscard]] std::vector<double> bin_edges(double highest, double width);
+/// Counts values in bins.
+[[nodiscard]] std::vector<double> counts(const std::vector<double>& values, const std::vector<double>& edges);
+
+/// Counts fibers by length at the frames nearest to the given times.
+[[nodiscard]] HistogramSection length_section(const VtkhdfReader& frames, const std::vector<double>& times,
+                                              double bin_width);
+/// Counts hinges by curvature 1/R at the frames nearest to the given times.
+[[nodiscard]] HistogramSection curvature_section(const VtkhdfReader& frames,
+                                                 const std::vector<double>& times);
+
+/// Lists the lengths of fibers, m.
+[[nodiscard]] std::vector<double> fiber_lengths(const FiberState& state);
+
+/// Draws the fibers of the last frame as they are seen along each axis: three sections.
+[[nodiscard]] std::vector<LinesSection> projection_sections(const VtkhdfReader& frames);
+
+/// Shows the cell at as many frames as a page can carry.
+[[nodiscard]] FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption);
+
+}  // namespace fiberfate

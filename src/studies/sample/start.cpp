@@ -1,0 +1,57 @@
+// Makes the fibers with which a study starts.
+#include "studies/sample/start.hpp"
+
+#include <fmt/format.h>
+
+#include "results/fiber_file.hpp"
+#include "studies/signals.hpp"
+
+namespace fiberfate {
+namespace {
+
+StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, Progress& progress) {
+  Population population = plan_population(species(sample), concentration(sample), start.seed);
+  PackingRequest request = packing_request(sample, start.contact, start.seed);
+  request.materials = std::move(population.materials);
+  request.fibers = std::move(population.fibers);
+  request.cell = rectangular_cell(population.cell_size);
+  request.cell.boundary[1] = start.boundary_y;
+  PackingResult result = pack(request, [&progress](const PackingProgress& now) {
+    if (stop_requested()) throw PackingStopped();
+    progress.show([&now] {
+      return fmt::format(
+          "packing, {}: step {}, largest overlap {:.3g} diameters, smallest radius {:.4g} um, "
+          "orientation off by {:.2g}",
+          now.stage, now.step, now.largest_overlap, 1e6 * now.minimum_radius, now.orientation_error);
+    });
+  });
+  progress.end_line();
+  number_by_height(result.state);
+  return {std::move(result.state), std::move(result.report)};
+}
+
+}  // namespace
+
+void warn_of_sinking_in(const PackingReport& packing, RunLog& log) {
+  constexpr double harmless = 0.02;
+  if (packing.overlap_at_rest < harmless) return;
+  log.warn(
+      fmt::format("bent fibers press each other: under the contact law they sink in by up to {:.2g} "
+                  "diameters where nothing "
+                  "flows; less concentrated ones do not, nor bundles of seven and more (cluster.start = "
+                  "\"bundles\"), nor "
+                  "fibers under a larger contact.force_constant",
+                  packing.overlap_at_rest));
+}
+
+StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, Progress& progress) {
+  if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, progress);
+  StartingFibers fibers;
+  fibers.state = sample.cluster.source == ClusterSource::fiber
+                     ? single_fiber(sample)
+                     : read_fiber_file(sample.cluster.file, materials(sample), sample.cell_size);
+  fibers.state.cell.boundary[1] = request.boundary_y;
+  return fibers;
+}
+
+}  // namespace fiberfate

@@ -1,0 +1,39 @@
+// Makes the fibers with which a study starts: packed on the spot, one alone, or read from a file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "fibers/state.hpp"
+#include "packing/packing_statistics.hpp"
+#include "results/run_log.hpp"
+#include "studies/progress.hpp"
+#include "studies/sample/case.hpp"
+
+namespace fiberfate {
+
+/// Says what the fibers are made for.
+struct StartRequest {
+  const ContactParameters& contact;  ///< under which a packing comes to rest
+  Boundary boundary_y = Boundary::periodic;
+  std::uint64_t seed = 1;
+};
+
+/// Holds fibers at time zero, at rest.
+struct StartingFibers {
+  FiberState state;
+  std::optional<PackingReport> packing;  ///< where they were packed
+};
+
+/// Is raised when a signal asks to stop while fibers are being packed; nothing of the packing is kept.
+struct PackingStopped {};
+
+/// Makes the fibers of a valid sample. Raises InputError when they cannot exist or be read.
+[[nodiscard]] StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request,
+                                         Progress& progress);
+
+/// Warns when the fibers of a packing press so hard that they would sink into each other under the contact
+/// law, by more than 2 % of a diameter.
+void warn_of_sinking_in(const PackingReport& packing, RunLog& log);
+
+}  // namespace fiberfate

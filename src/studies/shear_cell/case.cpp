@@ -1,0 +1,176 @@
+// Checks a case of the study shear_cell and foretells what it needs.
+#include "studies/shear_cell/case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "studies/sample/estimate.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr double default_rows = 200;   ///< of series.csv
+constexpr double default_frames = 50;  ///< of result.vtkhdf
+constexpr double most_outputs = 1e6;   ///< rows or frames beyond this are a slip of the unit
+
+// What `check` assumes about a run: measured on the case 04_couette_43wt (docs/develop/performance.md).
+constexpr double rod_steps_per_second = 2e6;
+constexpr double mean_strain_a_step = 1.7e-3;
+
+void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
+  const FlowChoices& flow = values.flow;
+  const auto require = [&checker](const std::string& key, const std::string& remedy) {
+    if (!checker.is_given(key)) checker.error(key, "not given; this kind of flow needs it", remedy);
+  };
+  if (flow.kind != FlowKind::ramp)
+    checker.warn_unused({"flow.ramp_duration", "flow.ramp_steps"}, "flow.kind = \"ramp\"");
+  if (flow.kind != FlowKind::table) {
+    require("flow.rate", "add rate = \"16.65 1/s\" under [flow]");
+    require("flow.viscosity", "add viscosity = \"200 Pa s\" under [flow]");
+    checker.warn_unused({"flow.table"}, "flow.kind = \"table\"");
+    return;
+  }
+  require("flow.table", R"(add table = [["0.5 s", "10 1/s", "300 Pa s"], ...] under [flow])");
+  checker.warn_unused({"flow.rate", "flow.viscosity"}, "flow.kind = \"constant\" or \"ramp\"");
+  for (std::size_t i = 1; i < flow.table.size(); ++i) {
+    if (flow.table[i][0] > flow.table[i - 1][0]) continue;
+    checker.error_in_row("flow.table", i,
+                         fmt::format("the end time of row {} is not later than that of row {}", i + 1, i),
+                         "sort the rows by end time");
+    break;
+  }
+}
+
+void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
+  const BreakageParameters& breakage = values.dynamics.breakage;
+  if (!checker.is_sound("breakage.law")) return;
+  const bool drawn = breakage.law == BreakageLaw::probability || breakage.law == BreakageLaw::strength;
+  if (breakage.law != BreakageLaw::fixed)
+    checker.warn_unused({"breakage.critical_radius"}, "breakage.law = \"fixed\"");
+  if (!drawn)
+    checker.warn_unused({"breakage.minimum_radius", "breakage.maximum_radius", "breakage.exponent"},
+                        "breakage.law = \"probability\" or \"strength\"");
+  if (breakage.law == BreakageLaw::none)
+    checker.warn_unused({"breakage.check_interval"}, "a law that breaks fibers");
+  if (drawn && breakage.minimum_radius >= breakage.maximum_radius)
+    checker.error("breakage.minimum_radius", "not less than " + checker.cite("breakage.maximum_radius"),
+                  "give the radius of certain breakage as minimum_radius, the one of none as maximum_radius");
+  const double breaking =
+      breakage.law == BreakageLaw::fixed ? breakage.critical_radius : breakage.maximum_radius;
+  const double tightest = values.sample.fibers.rod_length.value_or(0) / 2;
+  if (breakage.law != BreakageLaw::none && breaking < tightest)
+    checker.warn(
+        drawn ? "breakage.maximum_radius" : "breakage.critical_radius",
+        fmt::format("nothing can break: rods of this length cannot bend below {:.4g} um", 1e6 * tightest),
+        "shorten fibers.rod_length");
+}
+
+void validate_step(const StepParameters& step, CaseChecker& checker) {
+  if (step.control == StepControl::fixed) {
+    checker.warn_unused({"step.maximum", "step.tolerance", "step.maximum_strain"},
+                        "step.control = \"adaptive\"");
+    return;
+  }
+  if (step.minimum > step.maximum)
+    checker.error("step.minimum", "larger than " + checker.cite("step.maximum"),
+                  "give minimum <= initial <= maximum");
+  else if (step.initial > step.maximum)
+    checker.error("step.initial", "larger than " + checker.cite("step.maximum"),
+                  "give minimum <= initial <= maximum");
+  else if (step.initial < step.minimum)
+    checker.error("step.initial", "smaller than " + checker.cite("step.minimum"),
+                  "give minimum <= initial <= maximum");
+}
+
+void validate_output(const ShearCellCase& values, CaseChecker& checker) {
+  const double duration = values.run.duration;
+  if (duration <= 0) return;
+  for (const auto& [key, interval] : {std::pair{"output.interval", series_interval(values)},
+                                      std::pair{"output.frame_interval", frame_interval(values)}}) {
+    if (duration / interval > most_outputs)
+      checker.error(
+          key, fmt::format("makes {:.3g} outputs in {}", duration / interval, checker.cite("run.duration")),
+          fmt::format("give at least {:.3g} s", duration / most_outputs));
+    else if (interval > duration)
+      checker.warn(key, "longer than " + checker.cite("run.duration"), "only the start and the end are kept");
+  }
+  for (const double time : values.output.histogram_times) {
+    if (time <= duration) continue;
+    checker.error("output.histogram_times",
+                  fmt::format("{:.6g} s comes after the end, {}", time, checker.cite("run.duration")),
+                  "give times up to run.duration");
+    break;
+  }
+}
+
+void validate_contact(const ShearCellCase& values, CaseChecker& checker) {
+  const double diameter = values.sample.fibers.diameter;
+  if (diameter > 0 && values.dynamics.contact.ramp > diameter)
+    checker.error("contact.ramp", "wider than a fiber, " + checker.cite("fibers.diameter"),
+                  "about 1 um is usual");
+  if (values.boundary_y == Boundary::periodic)
+    checker.warn_unused({"contact.wall_friction"}, "boundary.y = \"walls\"");
+}
+
+}  // namespace
+
+void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker) {
+  validate_sample(values.sample, checker);
+  validate_flow(values, checker);
+  validate_contact(values, checker);
+  validate_breakage(values, checker);
+  validate_step(values.dynamics.step, checker);
+  validate_output(values, checker);
+}
+
+CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
+  const auto plan = plan_sample(values.sample, values.dynamics.seed);
+  CaseEstimate estimate = estimate_sample(values.sample, plan);
+  const double duration = values.run.duration;
+  const StepParameters& step = values.dynamics.step;
+  double steps = 0;
+  if (step.control == StepControl::fixed) {
+    steps = duration / step.initial;
+  } else {
+    double strain = 0;
+    const FlowHistory history = flow_history(values.flow);
+    for (double time = 0; time < duration;) {
+      const double next = std::min(duration, history.next_change(time));
+      strain += history.at(time).gradient(0, 1) * (next - time);
+      time = next;
+    }
+    steps = std::max(strain / mean_strain_a_step, duration / step.maximum);
+  }
+  estimate.facts.emplace_back("time steps", fmt::format("about {:.2g}", steps));
+  if (plan) estimate.wall_seconds += steps * static_cast<double>(plan->rods) / rod_steps_per_second;
+  estimate.assumption = fmt::format("{:.2g} rod-steps a second, one thread; {}", rod_steps_per_second,
+                                    step.control == StepControl::fixed
+                                        ? "fixed step"
+                                        : fmt::format("a mean step of {:.2g} of strain", mean_strain_a_step));
+  return estimate;
+}
+
+FlowHistory flow_history(const FlowChoices& flow) {
+  if (flow.kind == FlowKind::table) {
+    std::vector<FlowInterval> intervals;
+    for (const std::vector<double>& row : flow.table) intervals.push_back({row[0], row[1], row[2]});
+    return FlowHistory(std::move(intervals));
+  }
+  const double rate = flow.rate.value_or(0), viscosity = flow.viscosity.value_or(0);
+  if (flow.kind == FlowKind::ramp)
+    return FlowHistory::ramp(rate, viscosity, flow.ramp_duration, flow.ramp_steps);
+  return FlowHistory::constant(rate, viscosity);
+}
+
+double series_interval(const ShearCellCase& values) {
+  return values.output.interval.value_or(values.run.duration / default_rows);
+}
+
+double frame_interval(const ShearCellCase& values) {
+  return values.output.frame_interval.value_or(values.run.duration / default_frames);
+}
+
+}  // namespace fiberfate

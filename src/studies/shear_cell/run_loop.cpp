@@ -1,0 +1,51 @@
+// Steps a simulation until it is told to stop.
+#include "studies/shear_cell/run_loop.hpp"
+
+#include <algorithm>
+
+#include "studies/signals.hpp"
+
+namespace fiberfate {
+namespace {
+
+std::optional<StopReason> reason_to_stop(const FiberState& state, const RunLimits& limits,
+                                         std::int64_t first_step) {
+  if (state.time >= limits.end) return limits.at_end;
+  if (stop_requested()) return StopReason::signal;
+  if (limits.steps && state.step - first_step >= *limits.steps) return StopReason::steps_reached;
+  return std::nullopt;
+}
+
+}  // namespace
+
+RunOutcome run_loop(Simulation& simulation, const RunLimits& limits, const RunActions& actions) {
+  const FiberState& state = simulation.state();
+  const std::int64_t first_step = state.step;
+  const std::int64_t first_rod_step = state.rod_steps;
+  RunOutcome outcome;
+  double last_checkpoint = wall_seconds();
+  double due = std::min(actions.next_output(state.time), limits.end);
+  for (;;) {
+    if (const auto reason = reason_to_stop(state, limits, first_step)) {
+      outcome.reason = *reason;
+      outcome.rod_steps = state.rod_steps - first_rod_step;
+      return outcome;
+    }
+    const double before = wall_seconds();
+    const StepReport report = simulation.advance(due);
+    outcome.stepping_seconds += wall_seconds() - before;
+    outcome.rejections += report.rejections;
+    actions.after_step();
+    if (state.time >= due) {
+      actions.output();
+      due = std::min(actions.next_output(state.time), limits.end);
+    }
+    if (wall_seconds() - last_checkpoint >= limits.checkpoint_interval) {
+      actions.checkpoint();
+      last_checkpoint = wall_seconds();
+    }
+    actions.progress(report);
+  }
+}
+
+}  // namespace fiberfate
