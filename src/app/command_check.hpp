@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "studies/study.hpp"
+#include "keys/case_file.hpp"
 
 namespace fiberfate {
 

@@ -66,7 +66,7 @@ int run_import(const ImportOptions& options) {
   replace_file(folder + "/import.txt", notes_of(deck));
   // Values that the old program took and this one does not are told as for any case, at their line of
   // case.toml.
-  const LoadedCase loaded = load_case(out + "/case.toml");
+  const LoadedCase loaded = load_case(out + "/case.toml", case_kinds());
   fmt::print("{}", notes_of(deck));
   for (const std::string& warning : loaded.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("{} fibers in {}/{}; run them with: fiberfate run {}/case.toml\n", deck.fibers.size(), out,

@@ -91,11 +91,11 @@ void add_overwrite(CLI::App& command, Existing& existing, const std::string& wha
 }
 
 void add_limits(CLI::App& command, RunOptions& options, std::string& until) {
-  command.add_option("--threads", options.threads, "Threads, instead of run.threads")
+  command.add_option("--threads", options.session.threads, "Threads, instead of run.threads")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   command.add_option("--until", until, "Stop at this simulated time, \"0.5 s\"")->type_name("TIME");
-  command.add_option("--steps", options.steps, "Make at most so many steps now")
+  command.add_option("--steps", options.session.steps, "Make at most so many steps now")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
   command
@@ -154,7 +154,8 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   add_changes(*run, commands.run.changes);
   add_overwrite(*run, commands.run.existing, "a result");
   run->callback([&commands] {
-    if (!commands.run_until.empty()) commands.run.until = quantity("--until", commands.run_until, "s");
+    if (!commands.run_until.empty())
+      commands.run.session.until = quantity("--until", commands.run_until, "s");
     commands.status = run_run(commands.run);
   });
 
@@ -165,7 +166,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   add_limits(*resume, commands.resume, commands.resume_until);
   resume->callback([&commands] {
     if (!commands.resume_until.empty())
-      commands.resume.until = quantity("--until", commands.resume_until, "s");
+      commands.resume.session.until = quantity("--until", commands.resume_until, "s");
     commands.status = run_resume(commands.resume);
   });
 }

@@ -1,7 +1,7 @@
 // Declares the command resume.
 #pragma once
 
-#include "studies/study.hpp"
+#include "app/run_options.hpp"
 
 namespace fiberfate {
 

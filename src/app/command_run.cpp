@@ -1,9 +1,8 @@
 // Runs a case into a result folder.
 #include "app/command_run.hpp"
 
+#include "app/run_study.hpp"
 #include "app/study_registry.hpp"
-
-#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -15,8 +14,6 @@
 
 namespace fiberfate {
 namespace {
-
-constexpr int stopped_by_signal = 4;
 
 /// Names the folder after the case: "shear.toml" gives "shear_result"; a "case.toml" is named after its
 /// folder.
@@ -32,13 +29,12 @@ std::string default_folder(const std::string& case_file) {
 int run_run(const RunOptions& options) {
   const LoadedCase loaded = load_case(options.case_file, case_kinds(), options.changes);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  check_options(study_of(loaded), options.session);
   const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
   ResultFolder folder = ResultFolder::create(path, options.existing);
   try {
     replace_file(folder.resolved_case(), resolved_case(*loaded.kind, loaded.values));
-    const StopReason reason = study_of(loaded).run(loaded.values, options, folder);
-    fmt::print("{}: result in {}\n", name(reason), folder.path());
-    return reason == StopReason::signal ? stopped_by_signal : 0;
+    return run_study(loaded, options, folder, Begin::anew);
   } catch (const InputError&) {
     folder.remove();  // bad input leaves no half-written result
     throw;

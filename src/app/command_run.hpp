@@ -1,7 +1,7 @@
 // Declares the command run.
 #pragma once
 
-#include "studies/study.hpp"
+#include "app/run_options.hpp"
 
 namespace fiberfate {
 

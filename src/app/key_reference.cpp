@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "app/command_explain.hpp"
+#include "app/study_registry.hpp"
 #include "keys/key_facts.hpp"
-#include "studies/study.hpp"
 
 namespace fiberfate {
 namespace {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "keys/case_file.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {

@@ -120,9 +120,7 @@ class KeyTable {
   }
   /// One of several names.
   template <class Enum>
-  void choice(const std::string& key, Enum& member, std::initializer_list<Choice<Enum>> choices,
-              KeyNotes notes) {
-    const std::vector<Choice<Enum>> all(choices);
+  void choice(const std::string& key, Enum& member, const std::vector<Choice<Enum>>& all, KeyNotes notes) {
     std::vector<std::pair<std::string, std::string>> names;
     for (const Choice<Enum>& one : all) names.emplace_back(one.name, one.text);
     add_choice(
@@ -133,6 +131,11 @@ class KeyTable {
           return i;
         },
         [&member, all](std::size_t i) { member = all[i].value; });
+  }
+  template <class Enum>
+  void choice(const std::string& key, Enum& member, std::initializer_list<Choice<Enum>> choices,
+              KeyNotes notes) {
+    choice(key, member, std::vector<Choice<Enum>>(choices), std::move(notes));
   }
   /// The path of a file, relative to the case file; kept absolute.
   void file(const std::string& key, std::string& member, KeyNotes notes);

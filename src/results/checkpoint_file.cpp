@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "io/atomic_file.hpp"
-#include "results/run_log.hpp"
 
 namespace fiberfate {
 namespace {
@@ -56,13 +55,13 @@ Hdf5File open_checkpoint_file(const std::string& path) {
   return file;
 }
 
-void read_newest_checkpoint(const ResultFolder& folder, RunLog& log,
+void read_newest_checkpoint(const ResultFolder& folder, const std::function<void(const std::string&)>& warn,
                             const std::function<void(const std::string& path)>& read) {
   try {
     read(folder.checkpoint());
   } catch (const StorageError& error) {
     if (!std::filesystem::exists(folder.previous_checkpoint())) throw;
-    log.warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
+    warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
     read(folder.previous_checkpoint());
   }
 }

@@ -5,14 +5,10 @@
 #include <string>
 
 #include "io/hdf5_file.hpp"
+#include "results/recorder.hpp"
 #include "results/result_folder.hpp"
 
 namespace fiberfate {
-
-class RunLog;
-
-/// Fills a new checkpoint file that has its versions already.
-using CheckpointBody = std::function<void(Hdf5File&)>;
 
 /// Writes a checkpoint file in one step: it is whole under its name or not there; raises StorageError.
 void write_checkpoint_file(const std::string& path, const CheckpointBody& body);
@@ -24,8 +20,8 @@ void rotate_checkpoints(const ResultFolder& folder, const CheckpointBody& body);
 [[nodiscard]] Hdf5File open_checkpoint_file(const std::string& path);
 
 /// Calls `read` with the newest checkpoint of the folder, and where that raises StorageError with the
-/// previous one, after a warning in the log. Raises StorageError when neither can be read.
-void read_newest_checkpoint(const ResultFolder& folder, RunLog& log,
+/// previous one, after a warning. Raises StorageError when neither can be read.
+void read_newest_checkpoint(const ResultFolder& folder, const std::function<void(const std::string&)>& warn,
                             const std::function<void(const std::string& path)>& read);
 
 }  // namespace fiberfate

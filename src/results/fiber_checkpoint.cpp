@@ -1,7 +1,6 @@
 // Saves and restores runs as HDF5 files.
 #include "results/fiber_checkpoint.hpp"
 
-#include <filesystem>
 #include <span>
 
 #include "base/error.hpp"
@@ -172,19 +171,18 @@ Checkpoint read_checkpoint(const std::string& path) {
   return checkpoint;
 }
 
-void save_checkpoint(const ResultFolder& folder, const Checkpoint& checkpoint) {
-  rotate_checkpoints(folder, body_of(checkpoint));
+void save_checkpoint(Recorder& recorder, const Checkpoint& checkpoint) {
+  recorder.save_checkpoint(body_of(checkpoint));
 }
 
-Checkpoint load_checkpoint(const ResultFolder& folder, RunLog& log) {
+void save_failure(Recorder& recorder, const Checkpoint& checkpoint) {
+  recorder.save_failure(body_of(checkpoint));
+}
+
+Checkpoint load_checkpoint(Recorder& recorder) {
   Checkpoint checkpoint;
-  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_checkpoint(path); });
+  recorder.read_checkpoint([&](const std::string& path) { checkpoint = read_checkpoint(path); });
   return checkpoint;
-}
-
-bool has_checkpoint(const ResultFolder& folder) {
-  return std::filesystem::exists(folder.checkpoint()) ||
-         std::filesystem::exists(folder.previous_checkpoint());
 }
 
 }  // namespace fiberfate

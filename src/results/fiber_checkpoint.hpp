@@ -6,11 +6,9 @@
 
 #include "base/timer.hpp"
 #include "fibers/state.hpp"
-#include "results/result_folder.hpp"
+#include "results/recorder.hpp"
 
 namespace fiberfate {
-
-class RunLog;
 
 /// Counts what a run has written and used so far, over all processes that worked on it.
 struct RunRecord {
@@ -36,14 +34,14 @@ void write_checkpoint(const std::string& path, const Checkpoint& checkpoint);
 /// Reads a checkpoint file; raises StorageError when it is missing, truncated or damaged.
 [[nodiscard]] Checkpoint read_checkpoint(const std::string& path);
 
-/// Writes the folder's checkpoint and keeps the one before as checkpoint.previous.h5.
-void save_checkpoint(const ResultFolder& folder, const Checkpoint& checkpoint);
+/// Saves a checkpoint where a run keeps them; raises StorageError.
+void save_checkpoint(Recorder& recorder, const Checkpoint& checkpoint);
 
-/// Reads the folder's newest sound checkpoint, with a warning in the log when that is the previous one.
+/// Saves the state in which a simulation failed; raises StorageError.
+void save_failure(Recorder& recorder, const Checkpoint& checkpoint);
+
+/// Reads the newest sound checkpoint of an earlier run, with a warning when that is the one before the last.
 /// Raises StorageError when neither can be read.
-[[nodiscard]] Checkpoint load_checkpoint(const ResultFolder& folder, RunLog& log);
-
-/// Tells whether the folder has a checkpoint, sound or not.
-[[nodiscard]] bool has_checkpoint(const ResultFolder& folder);
+[[nodiscard]] Checkpoint load_checkpoint(Recorder& recorder);
 
 }  // namespace fiberfate

@@ -44,7 +44,6 @@ Json timings_of(const PhaseTimes& times) {
 
 void describe_fibers(RunSummary& summary, const FiberState& state) {
   const MeanLengths lengths = mean_lengths(state);
-  summary.threads = thread_count();
   summary.simulated_s = state.time;
   summary.steps = state.step;
   summary.rods = state.rod_count();
@@ -58,27 +57,30 @@ void describe_fibers(RunSummary& summary, const FiberState& state) {
 
 void write_summary(const std::string& path, const RunSummary& summary) {
   Json json;
+  const auto put = [&json](const char* key, const auto& value) {
+    if (value) json[key] = json_of(SummaryValue(*value));
+  };
   json["study"] = summary.study;
   json["version"] = version;
   json["stop_reason"] = name(summary.stop_reason);
-  json["seed"] = summary.seed;
-  json["threads"] = summary.threads;
+  if (summary.seed) json["seed"] = *summary.seed;
+  json["threads"] = thread_count();
   json["ranks"] = 1;
-  json["simulated_s"] = summary.simulated_s;
-  json["steps"] = summary.steps;
+  put("simulated_s", summary.simulated_s);
+  put("steps", summary.steps);
   json["wall_s"] = summary.wall_s;
   json["cpu_s"] = summary.cpu_s;
-  json["rods"] = summary.rods;
-  json["fibers"] = summary.fibers;
-  json["segment_steps_per_s"] = summary.segment_steps_per_s;
+  put("rods", summary.rods);
+  put("fibers", summary.fibers);
+  put("segment_steps_per_s", summary.segment_steps_per_s);
   json["peak_memory_bytes"] = peak_memory_bytes();
-  json["L_N_m"] = summary.number_average;
-  json["L_W_m"] = summary.weight_average;
-  json["A2"] = json_of(summary.orientation);
-  json["breaks"] = summary.breaks;
-  json["volume_fraction"] = summary.volume_fraction;
-  json["max_overlap_radii"] = summary.max_overlap;
-  json["timings"] = timings_of(summary.timings);
+  put("L_N_m", summary.number_average);
+  put("L_W_m", summary.weight_average);
+  put("A2", summary.orientation);
+  put("breaks", summary.breaks);
+  put("volume_fraction", summary.volume_fraction);
+  put("max_overlap_radii", summary.max_overlap);
+  if (summary.timings) json["timings"] = timings_of(*summary.timings);
   for (const auto& [key, value] : summary.own) json[key] = json_of(value);
   replace_file(path, json.dump(indent) + '\n');
 }
@@ -126,7 +128,9 @@ std::vector<double> SummaryFile::numbers(const std::string& key) const {
 
 std::vector<double> SummaryFile::timings() const {
   std::vector<double> seconds;
-  for (const char* phase : phase_names) seconds.push_back(document_->json["timings"].value(phase, 0.0));
+  const auto timings = document_->json.find("timings");
+  if (timings == document_->json.end()) return seconds;
+  for (const char* phase : phase_names) seconds.push_back(timings->value(phase, 0.0));
   return seconds;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,31 +19,30 @@ namespace fiberfate {
 /// One value of a study's own; an infinite or undefined number is written as null.
 using SummaryValue = std::variant<double, std::int64_t, std::string, Mat3, std::vector<double>>;
 
-/// Holds the last values and the timings of a run (docs/formats/summary.md).
+/// The last values and the timings of a run (docs/formats/summary.md); what a study does not have is absent.
 struct RunSummary {
-  std::string study;
+  std::string study = {};
   StopReason stop_reason = StopReason::done;
-  std::uint64_t seed = 1;
-  int threads = 1;
-  double simulated_s = 0;
-  std::int64_t steps = 0;
+  std::optional<std::uint64_t> seed = {};
+  std::optional<double> simulated_s = {};
+  std::optional<std::int64_t> steps = {};
   double wall_s = 0;
   double cpu_s = 0;
-  std::int64_t rods = 0;
-  std::int64_t fibers = 0;
-  double segment_steps_per_s = 0;
-  double number_average = 0;  ///< L_N, m
-  double weight_average = 0;  ///< L_W, m
-  Mat3 orientation = Mat3::Zero();
-  std::int64_t breaks = 0;
-  double volume_fraction = 0;
-  double max_overlap = 0;  ///< radii
-  PhaseTimes timings;
-  std::vector<std::pair<std::string, SummaryValue>> own;  ///< keys of the study's own
+  std::optional<std::int64_t> rods = {};
+  std::optional<std::int64_t> fibers = {};
+  std::optional<double> segment_steps_per_s = {};
+  std::optional<double> number_average = {};  ///< L_N, m
+  std::optional<double> weight_average = {};  ///< L_W, m
+  std::optional<Mat3> orientation = {};       ///< A2
+  std::optional<std::int64_t> breaks = {};
+  std::optional<double> volume_fraction = {};
+  std::optional<double> max_overlap = {};  ///< radii
+  std::optional<PhaseTimes> timings = {};
+  std::vector<std::pair<std::string, SummaryValue>> own = {};  ///< keys of the study's own
 };
 
-/// Fills in what follows from the fibers: time, steps, counts, lengths, orientation, breaks, volume fraction;
-/// and the number of threads.
+/// Fills in what follows from the fibers: time, steps, counts, lengths, orientation, breaks, volume
+/// fraction.
 void describe_fibers(RunSummary& summary, const FiberState& state);
 
 /// Writes the file in one step; raises StorageError.
@@ -59,7 +59,7 @@ class SummaryFile {
   [[nodiscard]] std::string text(const std::string& key) const;    ///< empty where it is missing
   [[nodiscard]] Mat3 tensor(const std::string& key) const;         ///< NaN where it is missing
   [[nodiscard]] std::vector<double> numbers(const std::string& key) const;  ///< empty where they are missing
-  /// Lists the seconds of each phase in the order of phase_names.
+  /// Lists the seconds of each phase in the order of phase_names; empty where they are missing.
   [[nodiscard]] std::vector<double> timings() const;
 
  private:

@@ -1,38 +1,20 @@
 // What a study is: functions of its case struct.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "keys/case_file.hpp"
-#include "results/run_types.hpp"
+#include "keys/case_kind.hpp"
+#include "studies/session.hpp"
 
 namespace fiberfate {
 
-class CaseChecker;
 class ResultFolder;
 struct ReportDocument;
 
-/// Says how a run shows that it is alive.
-enum class ProgressKind { automatic, line, log, none };
-
-/// Holds what the command line says about one run; what the case says is in the case.
-struct RunOptions {
-  std::string case_file;              ///< of `run`; empty when resuming
-  std::string out;                    ///< result folder; empty: named after the case file
-  std::optional<int> threads;         ///< instead of run.threads
-  std::optional<double> until;        ///< simulated time at which to stop, s, instead of run.duration
-  std::optional<std::int64_t> steps;  ///< most steps to make in this call
-  CaseChanges changes;
-  ProgressKind progress = ProgressKind::automatic;
-  Existing existing = Existing::refuse;
-};
-
-/// Foretells what a run needs and names what follows from the case, for `check`.
+/// What a run needs and what follows from its case, for `check`.
 struct CaseEstimate {
   std::vector<std::pair<std::string, std::string>>
       facts;  ///< what follows from the case: ("fibers", "628"), …
@@ -41,15 +23,25 @@ struct CaseEstimate {
   std::string assumption;  ///< on which the times rest
 };
 
-/// Gathers the functions of one study. All of them are pure but run, resume and report.
+/// The options of a session that a study acts on; its callers refuse the others.
+struct TakenOptions {
+  bool threads = false;
+  bool until = false;
+  bool steps = false;
+};
+
+/// The functions of one study, for a case of any type. All of them are pure but compute and report.
 struct Study : CaseKind {
+  TakenOptions takes;
   std::function<CaseEstimate(const CaseValues&)> estimate;
-  std::function<StopReason(const CaseValues&, const RunOptions&, ResultFolder&)> run;
-  std::function<StopReason(const CaseValues&, const RunOptions&, ResultFolder&)> resume;
+  /// Computes what the case asks for. Raises NoOutcome where it was stopped before there is anything,
+  /// SimulationFailure, StorageError and, where only the computation can tell, InputError.
+  std::function<Outcome(const CaseValues&, Session&)> compute;
+  /// Gathers what the report shows from the files of a result folder.
   std::function<ReportDocument(const CaseValues&, const ResultFolder&)> report;
 };
 
-/// Gathers the same functions, typed by the study's own case struct.
+/// The same functions, typed by the study's own case struct.
 template <class Case>
 struct StudyFunctions {
   std::string name;
@@ -57,9 +49,26 @@ struct StudyFunctions {
   void (*describe)(KeyTable&, Case&);
   void (*validate)(const Case&, CaseChecker&);
   CaseEstimate (*estimate)(const Case&);
-  StopReason (*run)(const Case&, const RunOptions&, ResultFolder&);
-  StopReason (*resume)(const Case&, const RunOptions&, ResultFolder&);
+  Outcome (*compute)(const Case&, Session&);
   ReportDocument (*report)(const Case&, const ResultFolder&);
+  TakenOptions takes = {};
 };
+
+/// Makes a study that takes any case from functions that take its own.
+template <class Case>
+[[nodiscard]] Study make_study(const StudyFunctions<Case>& typed) {
+  const auto of = [](const CaseValues& values) -> const Case& { return *std::any_cast<Case>(&values); };
+  Study study{case_kind(typed.name, typed.summary, typed.describe, typed.validate), typed.takes, {}, {}, {}};
+  study.estimate = [typed, of](const CaseValues& values) { return typed.estimate(of(values)); };
+  study.compute = [typed, of](const CaseValues& values, Session& session) {
+    Outcome outcome = typed.compute(of(values), session);
+    outcome.summary.study = typed.name;
+    return outcome;
+  };
+  study.report = [typed, of](const CaseValues& values, const ResultFolder& folder) {
+    return typed.report(of(values), folder);
+  };
+  return study;
+}
 
 }  // namespace fiberfate

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "studies/attrition/run.hpp"
+#include "studies/law_facts.hpp"
 #include "studies/sample/fiber_sections.hpp"
 
 namespace fiberfate {

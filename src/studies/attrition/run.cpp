@@ -7,15 +7,11 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/timer.hpp"
 #include "continuum/length_prediction.hpp"
 #include "continuum/length_registry.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_table.hpp"
 #include "microstructure/length_statistics.hpp"
-#include "results/result_folder.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 
 namespace fiberfate {
 namespace {
@@ -118,7 +114,8 @@ void append_values(RunSummary& summary, const std::string& prefix, const LawChoi
   own.emplace_back(prefix + "total_length_change", followed.length_change);
 }
 
-void write_results(const AttritionCase& values, const ResultFolder& folder, RunSummary& summary) {
+void compute_lengths(const AttritionCase& values, Outcome& outcome) {
+  RunSummary& summary = outcome.summary;
   Followed followed = follow(values, values.law);
   append_values(summary, "", values.law, followed);
   summary.number_average = followed.end.number_average;
@@ -133,32 +130,23 @@ void write_results(const AttritionCase& values, const ResultFolder& folder, RunS
       followed.series.columns.push_back(std::string("compared_") + column);
       followed.series.values.push_back(other.series.column(column));
     }
-    write_csv(folder.file("histogram_compared.csv"), other.histogram);
+    outcome.tables.push_back({"histogram_compared", other.histogram});
   }
-  write_csv(folder.series(), followed.series);
-  write_csv(folder.file("histogram.csv"), followed.histogram);
   summary.steps = static_cast<std::int64_t>(followed.series.rows());
+  outcome.tables.push_back({"series", std::move(followed.series)});
+  outcome.tables.push_back({"histogram", std::move(followed.histogram)});
 }
 
 }  // namespace
 
-StopReason run_attrition(const AttritionCase& values, const RunOptions&, ResultFolder& folder) {
-  const double begin = wall_seconds();
-  RunLog log(folder);
-  RunSummary summary;
-  summary.study = "attrition";
-  summary.simulated_s = values.duration;
-  write_results(values, folder, summary);
-  summary.wall_s = wall_seconds() - begin;
-  summary.cpu_s = cpu_seconds();
-  write_summary(folder.summary(), summary);
-  log.note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm after {:.4g} s", 1e3 * summary.number_average,
-                       1e3 * summary.weight_average, values.duration));
-  return StopReason::done;
-}
-
-StopReason resume_attrition(const AttritionCase& values, const RunOptions& options, ResultFolder& folder) {
-  return run_attrition(values, options, folder);
+Outcome compute_attrition(const AttritionCase& values, Session& session) {
+  Outcome outcome;
+  outcome.summary.simulated_s = values.duration;
+  compute_lengths(values, outcome);
+  session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm after {:.4g} s",
+                                      1e3 * outcome.summary.number_average.value_or(0),
+                                      1e3 * outcome.summary.weight_average.value_or(0), values.duration));
+  return outcome;
 }
 
 }  // namespace fiberfate

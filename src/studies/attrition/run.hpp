@@ -6,10 +6,8 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder: series.csv, histogram.csv, summary.json.
-StopReason run_attrition(const AttritionCase& values, const RunOptions& options, ResultFolder& folder);
-/// Runs it again: it takes a moment, so that nothing is kept of an interrupted run.
-StopReason resume_attrition(const AttritionCase& values, const RunOptions& options, ResultFolder& folder);
+/// Follows the lengths through the history of flow: tables series and histogram.
+[[nodiscard]] Outcome compute_attrition(const AttritionCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_attrition(const AttritionCase& values, const ResultFolder& folder);
 

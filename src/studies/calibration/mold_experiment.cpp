@@ -64,7 +64,7 @@ MoldingCase read_molding(const std::vector<std::string>& row) {
   static const CaseKind kind = molding_kind();
   const LoadedCase loaded = load_case(row[0], {&kind}, changes);
   if (const auto* values = std::any_cast<MoldingCase>(&loaded.values)) return *values;
-  throw InputError(fmt::format("{} is a case of the study {}", row[0], loaded.study->name),
+  throw InputError(fmt::format("{} is a case of the study {}", row[0], loaded.kind->name),
                    "name a case with study = \"molding\"");
 }
 

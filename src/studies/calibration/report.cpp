@@ -12,6 +12,7 @@
 #include "studies/calibration/data.hpp"
 #include "studies/calibration/mold_report.hpp"
 #include "studies/calibration/run.hpp"
+#include "studies/law_facts.hpp"
 
 namespace fiberfate {
 namespace {

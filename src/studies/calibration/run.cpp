@@ -8,20 +8,15 @@
 #include <cmath>
 #include <memory>
 
-#include "base/timer.hpp"
 #include "calibration/bootstrap.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/prediction_band.hpp"
 #include "calibration/profile.hpp"
 #include "calibration/sweep.hpp"
 #include "io/csv_table.hpp"
-#include "results/result_folder.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 #include "studies/calibration/data.hpp"
 #include "studies/calibration/model.hpp"
 #include "studies/calibration/molds.hpp"
-#include "studies/progress.hpp"
 
 namespace fiberfate {
 namespace {
@@ -65,26 +60,27 @@ class OneFit {
         number_(number),
         problem_(pose_calibration(values, series_)) {}
 
-  /// Shows that the run is alive, where a prediction is a filling.
-  void show_in(Progress& progress) {
-    progress_ = &progress;
+  /// Shows that the run is alive and lets it be stopped, where a prediction is a filling; elsewhere a fit
+  /// takes a moment, but may be stopped, too.
+  void show_in(const Session& session) {
     const std::string name =
         prefix_.empty() ? "all moldings" : values_.conditions.names[series_.front().condition];
-    problem_.model = [model = problem_.model, &progress, name, count = std::make_shared<int>(0)](
+    problem_.model = [model = problem_.model, &session, name, count = std::make_shared<int>(0)](
                          std::span<const double> parameters, std::span<double> predictions) {
-      progress.show([&] { return fmt::format("{}: {} predictions", name, *count); });
+      session.end_if_stopped("stopped while fitting; resuming will fit again");
+      session.show([&] { return fmt::format("{}: {} predictions", name, *count); });
       model(parameters, predictions);
       ++*count;
     };
   }
 
-  void run(Tables& tables, RunSummary& summary, RunLog& log) {
+  void run(Tables& tables, RunSummary& summary, Recorder& log) {
     FitOptions options;
     options.level = values_.search.level;
     options.starts = static_cast<int>(values_.search.starts);
     options.seed = static_cast<std::uint64_t>(values_.search.seed);
     result_ = fit(problem_, options);
-    summary.steps += result_.iterations;
+    summary.steps = summary.steps.value_or(0) + result_.iterations;
     append_estimates(summary);
     append_findings(summary, log);
     append_fit(tables.fit);
@@ -126,8 +122,7 @@ class OneFit {
     add(summary, "average_error_percent", average_error_percent(observed, result_.predictions));
   }
 
-  void append_findings(RunSummary& summary, RunLog& log) const {
-    if (progress_ != nullptr) progress_->end_line();
+  void append_findings(RunSummary& summary, Recorder& log) const {
     std::vector<std::string> texts;
     for (const Finding& finding : result_.findings) texts.push_back(finding.text);
     // The strength enters as a ratio to the stress only: which unit it was given in cannot be seen from the
@@ -253,7 +248,6 @@ class OneFit {
   double number_;
   FitProblem problem_;
   FitResult result_;
-  Progress* progress_ = nullptr;  ///< where the run is shown; null: nowhere
 };
 
 std::vector<MeasuredSeries> series_of(const std::vector<MeasuredSeries>& all, std::size_t condition) {
@@ -263,30 +257,30 @@ std::vector<MeasuredSeries> series_of(const std::vector<MeasuredSeries>& all, st
   return some;
 }
 
-void write_tables(const ResultFolder& folder, const Tables& tables) {
-  write_csv(folder.file("fit.csv"), tables.fit);
-  write_csv(folder.file("curves.csv"), tables.curves);
-  if (tables.profile.rows() > 0) write_csv(folder.file("profile.csv"), tables.profile);
-  if (tables.bootstrap.rows() > 0) write_csv(folder.file("bootstrap.csv"), tables.bootstrap);
-  if (tables.sweep.rows() > 0) write_csv(folder.file("sweep.csv"), tables.sweep);
-  if (tables.optimum.rows() > 0) write_csv(folder.file("optimum.csv"), tables.optimum);
+std::vector<NamedTable> named(Tables tables) {
+  std::vector<NamedTable> all = {{"fit", std::move(tables.fit)}, {"curves", std::move(tables.curves)}};
+  const std::pair<const char*, CsvTable*> others[] = {{"profile", &tables.profile},
+                                                      {"bootstrap", &tables.bootstrap},
+                                                      {"sweep", &tables.sweep},
+                                                      {"optimum", &tables.optimum}};
+  for (const auto& [name, table] : others)
+    if (table->rows() > 0) all.push_back({name, std::move(*table)});
+  return all;
 }
 
 }  // namespace
 
-StopReason run_calibration(const CalibrationCase& values, const RunOptions& options, ResultFolder& folder) {
-  const double begin = wall_seconds();
-  RunLog log(folder);
-  RunSummary summary;
-  summary.study = "calibration";
+Outcome compute_calibration(const CalibrationCase& values, Session& session) {
+  session.use_threads(0);
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   summary.seed = static_cast<std::uint64_t>(values.search.seed);
   summary.own.emplace_back("law", calibrated_law(values).name);
   const std::vector<MeasuredSeries> series = read_measurements(values);
   Tables tables;
-  Progress progress(options.progress);
   const auto run_fit = [&](OneFit fit) {
-    if (calibrates_in_molds(values)) fit.show_in(progress);
-    fit.run(tables, summary, log);
+    fit.show_in(session);
+    fit.run(tables, summary, session.recorder());
   };
   if (values.search.scope == FitScope::together) {
     run_fit(OneFit(values, series, "", 0));
@@ -297,18 +291,10 @@ StopReason run_calibration(const CalibrationCase& values, const RunOptions& opti
       run_fit(OneFit(values, some, key_of(values.conditions.names[i]) + "_", static_cast<double>(i)));
     }
   }
-  progress.end_line();
-  write_tables(folder, tables);
-  summary.wall_s = wall_seconds() - begin;
-  summary.cpu_s = cpu_seconds();
-  write_summary(folder.summary(), summary);
-  log.note("fitted");
-  return StopReason::done;
-}
-
-StopReason resume_calibration(const CalibrationCase& values, const RunOptions& options,
-                              ResultFolder& folder) {
-  return run_calibration(values, options, folder);
+  session.end_progress();
+  outcome.tables = named(std::move(tables));
+  session.recorder().note("fitted");
+  return outcome;
 }
 
 }  // namespace fiberfate

@@ -3,21 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "base/error.hpp"
-#include "base/threads.hpp"
 #include "fibers/observables.hpp"
-#include "io/atomic_file.hpp"
-#include "io/vtkhdf_file.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/sample/length_comparison.hpp"
 #include "studies/sample/start.hpp"
-#include "studies/signals.hpp"
 
 namespace fiberfate {
 namespace {
@@ -128,50 +120,48 @@ void measure_again(Cluster& cluster) {
   cluster.packing = std::move(now);
 }
 
-Cluster make_cluster(const ClusterCase& values, Progress& progress) {
+Cluster make_cluster(const ClusterCase& values, const Session& session) {
   StartingFibers fibers =
-      make_fibers(values.sample, {values.contact, values.boundary_y, values.seed}, progress);
+      make_fibers(values.sample, {values.contact, values.boundary_y, values.seed}, session);
   Cluster cluster;
   cluster.state = std::move(fibers.state);
   cluster.packing =
       fibers.packing ? std::move(*fibers.packing)
                      : measure_packing(cluster.state, orientation_tensor(cluster.state, Weighting::length));
   if (values.relaxation.duration) {
-    cluster.relaxed = relax_fibers(values.relaxation, values.contact, cluster.state, progress);
+    cluster.relaxed = relax_fibers(values.relaxation, values.contact, cluster.state, session);
     cluster.state = cluster.relaxed->state;
     measure_again(cluster);
   }
   return cluster;
 }
 
-void write_results(const ClusterCase& values, const ResultFolder& folder, const Cluster& cluster,
-                   double begin_wall) {
-  VtkhdfWriter frames(folder.frames(), 0);
-  frames.append(fiber_frame(cluster.state));
-  frames.finish();
+void keep_checkpoint(const Cluster& cluster, const Session& session) {
   Checkpoint checkpoint;
   checkpoint.state = cluster.state;
   checkpoint.record.frames = 1;
-  checkpoint.record.wall_s = wall_seconds() - begin_wall;
-  checkpoint.record.cpu_s = cpu_seconds();
-  checkpoint.resolved_case = read_file(folder.resolved_case());
-  save_checkpoint(folder, checkpoint);
-  RunSummary summary;
+  checkpoint.record.wall_s = session.wall_s();
+  checkpoint.record.cpu_s = session.cpu_s();
+  checkpoint.resolved_case = session.recorder().resolved_case();
+  save_checkpoint(session.recorder(), checkpoint);
+}
+
+Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   describe_fibers(summary, cluster.state);
-  summary.study = "cluster";
   summary.seed = values.seed;
-  summary.wall_s = checkpoint.record.wall_s;
-  summary.cpu_s = checkpoint.record.cpu_s;
   summary.max_overlap = 2 * cluster.packing.largest_overlap;
   summary.own = own_values(cluster.state, cluster.packing);
   append_lengths(summary.own, values.sample, cluster.state);
   append_relaxation(summary.own, cluster.relaxed);
   append_pair_distances(summary.own, cluster.packing);
-  write_summary(folder.summary(), summary);
+  outcome.frames.push_back({"result", {fiber_frame(cluster.state)}});
+  return outcome;
 }
 
 /// Tells in a line what came out, and warns of what did not.
-void tell(const Cluster& cluster, RunLog& log) {
+void tell(const Cluster& cluster, Recorder& log) {
   log.note(fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
                        100 * volume_fraction(cluster.state)));
   warn_of_sinking_in(cluster.packing, log);
@@ -189,32 +179,20 @@ void tell(const Cluster& cluster, RunLog& log) {
 
 }  // namespace
 
-StopReason run_cluster(const ClusterCase& values, const RunOptions& options, ResultFolder& folder) {
-  const SignalWatch watch;
-  const double begin_wall = wall_seconds();
-  RunLog log(folder);
-  const int threads = options.threads.value_or(values.threads);
-  use_threads(threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency()));
-  log.note("packing");
+Outcome compute_cluster(const ClusterCase& values, Session& session) {
+  if (session.continues()) throw NoOutcome{StopReason::done, "the packing is complete already"};
+  session.use_threads(values.threads);
+  Recorder& recorder = session.recorder();
+  recorder.note("packing");
   try {
-    Progress progress(options.progress);
-    const Cluster cluster = make_cluster(values, progress);
-    write_results(values, folder, cluster, begin_wall);
-    tell(cluster, log);
-  } catch (const PackingStopped&) {
-    log.warn("stopped while packing; resuming will pack again");
-    return StopReason::signal;
+    const Cluster cluster = make_cluster(values, session);
+    keep_checkpoint(cluster, session);
+    tell(cluster, recorder);
+    return outcome_of(values, cluster);
   } catch (const SimulationFailure& failure) {
-    log.error(failure.what());
+    recorder.error(failure.what());
     throw;
   }
-  return StopReason::done;
-}
-
-StopReason resume_cluster(const ClusterCase& values, const RunOptions& options, ResultFolder& folder) {
-  if (!has_checkpoint(folder)) return run_cluster(values, options, folder);
-  RunLog(folder).warn("the packing is complete already");
-  return StopReason::done;
 }
 
 }  // namespace fiberfate

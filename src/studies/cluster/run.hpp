@@ -6,10 +6,8 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder.
-StopReason run_cluster(const ClusterCase& values, const RunOptions& options, ResultFolder& folder);
-/// Continues from the folder's last checkpoint.
-StopReason resume_cluster(const ClusterCase& values, const RunOptions& options, ResultFolder& folder);
+/// Packs the fibers and leaves them as a frame and a checkpoint.
+[[nodiscard]] Outcome compute_cluster(const ClusterCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder);
 

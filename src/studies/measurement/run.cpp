@@ -6,12 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/timer.hpp"
 #include "io/csv_table.hpp"
 #include "microstructure/eigenframe.hpp"
-#include "results/result_folder.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 
 namespace fiberfate {
 namespace {
@@ -33,8 +29,8 @@ void append_interval(RunSummary& summary, const std::string& name, const Interva
   summary.own.emplace_back(name + "_upper_m", interval.upper);
 }
 
-void write_histogram(const MeasuredLengthChoices& choices, const MeasuredLengths& measured,
-                     const MeasuredLengths& fibers, const std::string& path) {
+CsvTable histogram_table(const MeasuredLengthChoices& choices, const MeasuredLengths& measured,
+                         const MeasuredLengths& fibers) {
   const LengthShares shares = length_shares(fibers, histogram_edges(choices, fibers));
   const LengthShares raw = length_shares(measured, shares.edges);
   const std::vector<double> deviations = share_deviations(fibers, shares);
@@ -47,18 +43,19 @@ void write_histogram(const MeasuredLengthChoices& choices, const MeasuredLengths
                   deviations,
                   shares.by_length,
                   raw.by_number};
-  write_csv(path, table);
+  return table;
 }
 
-/// Writes every length with the number of fibers it stands for, as fibers.distribution of other cases takes
+/// Lists every length with the number of fibers it stands for, as fibers.distribution of other cases takes
 /// it.
-void write_distribution(const MeasuredLengths& fibers, const std::string& path) {
+CsvTable distribution_table(const MeasuredLengths& fibers) {
   CsvTable table{{"length_m", "number"}, {fibers.lengths, fibers.numbers}};
   if (fibers.numbers.empty()) table.values[1].assign(fibers.lengths.size(), 1.0);
-  write_csv(path, table);
+  return table;
 }
 
-void evaluate_lengths(const MeasurementCase& values, const ResultFolder& folder, RunSummary& summary) {
+void evaluate_lengths(const MeasurementCase& values, Outcome& outcome) {
+  RunSummary& summary = outcome.summary;
   const MeasuredLengths measured = read_lengths(values.lengths);
   const MeasuredLengths fibers = values.lengths.sample_diameter
                                      ? corrected_for_sampling(measured, *values.lengths.sample_diameter)
@@ -75,12 +72,12 @@ void evaluate_lengths(const MeasurementCase& values, const ResultFolder& folder,
   const auto [shortest, longest] = std::minmax_element(measured.lengths.begin(), measured.lengths.end());
   summary.own.emplace_back("shortest_m", *shortest);
   summary.own.emplace_back("longest_m", *longest);
-  write_histogram(values.lengths, measured, fibers, folder.file("histogram.csv"));
-  write_distribution(fibers, folder.file("distribution.csv"));
+  outcome.tables.push_back({"histogram", histogram_table(values.lengths, measured, fibers)});
+  outcome.tables.push_back({"distribution", distribution_table(fibers)});
 }
 
-/// Writes how densely directions lie, over the mean; a direction and its opposite are one.
-void write_pole_figure(const MeasuredDirections& fibers, const std::string& path) {
+/// Tells how densely directions lie, over the mean; a direction and its opposite are one.
+CsvTable pole_figure(const MeasuredDirections& fibers) {
   std::vector<double> density(static_cast<std::size_t>(azimuth_bins * height_bins), 0.0);
   double sum = 0;
   for (std::size_t i = 0; i < fibers.directions.size(); ++i) {
@@ -100,10 +97,11 @@ void write_pole_figure(const MeasuredDirections& fibers, const std::string& path
     table.values[1].push_back((k / azimuth_bins + 0.5) / height_bins);
     table.values[2].push_back(density[static_cast<std::size_t>(k)] * azimuth_bins * height_bins / sum);
   }
-  write_csv(path, table);
+  return table;
 }
 
-void evaluate_directions(const MeasurementCase& values, const ResultFolder& folder, RunSummary& summary) {
+void evaluate_directions(const MeasurementCase& values, Outcome& outcome) {
+  RunSummary& summary = outcome.summary;
   const MeasuredDirections fibers = read_directions(values.orientation);
   const OrientationInterval interval = bootstrap_second_moment(
       fibers, values.level, static_cast<int>(values.resamples), static_cast<std::uint64_t>(values.seed));
@@ -115,36 +113,27 @@ void evaluate_directions(const MeasurementCase& values, const ResultFolder& fold
   summary.own.emplace_back("principal_values", std::vector<double>(principal.begin(), principal.end()));
   const Mat6 fourth = fourth_moment(fibers);
   summary.own.emplace_back("A4", std::vector<double>(fourth.data(), fourth.data() + fourth.size()));
-  write_pole_figure(fibers, folder.file("directions.csv"));
+  outcome.tables.push_back({"directions", pole_figure(fibers)});
 }
 
 }  // namespace
 
-StopReason run_measurement(const MeasurementCase& values, const RunOptions&, ResultFolder& folder) {
-  const double begin = wall_seconds();
-  RunLog log(folder);
-  RunSummary summary;
-  summary.study = "measurement";
+Outcome compute_measurement(const MeasurementCase& values, Session& session) {
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   summary.seed = static_cast<std::uint64_t>(values.seed);
   if (!values.lengths.file.empty()) {
-    evaluate_lengths(values, folder, summary);
-    log.note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * summary.number_average,
-                         1e3 * summary.weight_average));
+    evaluate_lengths(values, outcome);
+    session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * *summary.number_average,
+                                        1e3 * *summary.weight_average));
   }
   if (!values.orientation.file.empty()) {
-    evaluate_directions(values, folder, summary);
-    const Vec3 diagonal = summary.orientation.diagonal();
-    log.note(fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
+    evaluate_directions(values, outcome);
+    const Vec3 diagonal = summary.orientation->diagonal();
+    session.recorder().note(
+        fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
   }
-  summary.wall_s = wall_seconds() - begin;
-  summary.cpu_s = cpu_seconds();
-  write_summary(folder.summary(), summary);
-  return StopReason::done;
-}
-
-StopReason resume_measurement(const MeasurementCase& values, const RunOptions& options,
-                              ResultFolder& folder) {
-  return run_measurement(values, options, folder);
+  return outcome;
 }
 
 }  // namespace fiberfate

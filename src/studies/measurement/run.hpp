@@ -6,10 +6,8 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder: summary.json, histogram.csv, distribution.csv, directions.csv.
-StopReason run_measurement(const MeasurementCase& values, const RunOptions& options, ResultFolder& folder);
-/// Runs it again: it takes a moment, so that nothing is kept of an interrupted run.
-StopReason resume_measurement(const MeasurementCase& values, const RunOptions& options, ResultFolder& folder);
+/// Evaluates the lists: tables histogram, distribution and directions.
+[[nodiscard]] Outcome compute_measurement(const MeasurementCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_measurement(const MeasurementCase& values, const ResultFolder& folder);
 

@@ -180,12 +180,12 @@ CheckpointBody body_of(const MoldingCheckpoint& checkpoint) {
 
 }  // namespace
 
-void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint) {
-  write_checkpoint_file(path, body_of(checkpoint));
+void save_checkpoint(Recorder& recorder, const MoldingCheckpoint& checkpoint) {
+  recorder.save_checkpoint(body_of(checkpoint));
 }
 
-void save_molding(const ResultFolder& folder, const MoldingCheckpoint& checkpoint) {
-  rotate_checkpoints(folder, body_of(checkpoint));
+void save_failure(Recorder& recorder, const MoldingCheckpoint& checkpoint) {
+  recorder.save_failure(body_of(checkpoint));
 }
 
 MoldingCheckpoint read_molding(const std::string& path) {
@@ -199,9 +199,16 @@ MoldingCheckpoint read_molding(const std::string& path) {
   return checkpoint;
 }
 
-MoldingCheckpoint load_molding(const ResultFolder& folder, RunLog& log) {
+MoldingCheckpoint load_molding(Recorder& recorder) {
   MoldingCheckpoint checkpoint;
-  read_newest_checkpoint(folder, log, [&](const std::string& path) { checkpoint = read_molding(path); });
+  recorder.read_checkpoint([&](const std::string& path) { checkpoint = read_molding(path); });
+  return checkpoint;
+}
+
+MoldingCheckpoint load_molding(const ResultFolder& folder) {
+  MoldingCheckpoint checkpoint;
+  read_newest_checkpoint(
+      folder, [](const std::string&) {}, [&](const std::string& path) { checkpoint = read_molding(path); });
   return checkpoint;
 }
 

@@ -6,11 +6,10 @@
 
 #include "molding/filling_state.hpp"
 #include "molding/shell_mesh.hpp"
+#include "results/recorder.hpp"
 #include "results/result_folder.hpp"
 
 namespace fiberfate {
-
-class RunLog;
 
 /// Counts what a run has written and used so far, over all processes that worked on it.
 struct MoldingRecord {
@@ -28,12 +27,14 @@ struct MoldingCheckpoint {
   MoldingRecord record;
 };
 
-/// Writes the folder's checkpoint and keeps the one before; raises StorageError.
-void save_molding(const ResultFolder& folder, const MoldingCheckpoint& checkpoint);
-/// Writes a checkpoint to a file of its own; raises StorageError.
-void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint);
-/// Reads the folder's newest sound checkpoint; raises StorageError when there is none.
-[[nodiscard]] MoldingCheckpoint load_molding(const ResultFolder& folder, RunLog& log);
+/// Saves a checkpoint where a run keeps them; raises StorageError.
+void save_checkpoint(Recorder& recorder, const MoldingCheckpoint& checkpoint);
+/// Saves the state in which a filling failed; raises StorageError.
+void save_failure(Recorder& recorder, const MoldingCheckpoint& checkpoint);
+/// Reads the newest sound checkpoint of an earlier run; raises StorageError when there is none.
+[[nodiscard]] MoldingCheckpoint load_molding(Recorder& recorder);
+/// Reads the newest sound checkpoint of a result; raises StorageError when there is none.
+[[nodiscard]] MoldingCheckpoint load_molding(const ResultFolder& folder);
 /// Reads one file; raises StorageError.
 [[nodiscard]] MoldingCheckpoint read_molding(const std::string& path);
 

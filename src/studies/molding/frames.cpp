@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "io/prism_file.hpp"
 #include "microstructure/tensor.hpp"
 
 namespace fiberfate {
@@ -116,7 +115,7 @@ PolyFrame part_frame(const MoldingFields& fields, FrameGeometry geometry) {
   return frame;
 }
 
-void write_layers(const std::string& path, const MoldingFields& fields) {
+PrismMesh layer_prisms(const MoldingFields& fields) {
   const ShellMesh& mesh = fields.filling().mesh();
   const std::span<const double> middles = fields.filling().layers().middles();
   const std::size_t half = middles.size();
@@ -131,7 +130,7 @@ void write_layers(const std::string& path, const MoldingFields& fields) {
   prisms.levels = 2 * half;
   prisms.triangles = mesh.shell().triangles;
   add_layered_fields(prisms, fields);
-  write_prisms(path, prisms);
+  return prisms;
 }
 
 }  // namespace fiberfate

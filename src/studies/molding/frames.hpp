@@ -1,9 +1,8 @@
-// Writes fillings as VTKHDF: the part over time, its layers, its stiffness.
+// Makes frames of fillings: the part over time, its layers, its stiffness.
 #pragma once
 
-#include <string>
-
 #include "io/poly_frame.hpp"
+#include "io/prism_file.hpp"
 #include "studies/molding/fields.hpp"
 
 namespace fiberfate {
@@ -12,8 +11,8 @@ namespace fiberfate {
 /// it.
 [[nodiscard]] PolyFrame part_frame(const MoldingFields& fields, FrameGeometry geometry);
 
-/// Writes the last state by layers: prisms between the middles of the layers, from wall to wall, with
-/// temperature, shear rate, orientation and lengths at their corners. Raises StorageError.
-void write_layers(const std::string& path, const MoldingFields& fields);
+/// Gives the last state by layers: prisms between the middles of the layers, from wall to wall, with
+/// temperature, shear rate, orientation and lengths at their corners.
+[[nodiscard]] PrismMesh layer_prisms(const MoldingFields& fields);
 
 }  // namespace fiberfate

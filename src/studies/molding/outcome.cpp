@@ -1,4 +1,4 @@
-// Writes what a filling came to.
+// Gathers what a filling came to.
 #include "studies/molding/outcome.hpp"
 
 #include <fmt/format.h>
@@ -168,8 +168,8 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields,
   return lengths;
 }
 
-void write_sweep(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples,
-                 const ResultFolder& folder, RunSummary& summary) {
+void add_sweep(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples, Outcome& out) {
+  RunSummary& summary = out.summary;
   const std::vector<double>& values = fields.setup().sweep_values;
   const std::vector<SweptLength> lengths = swept_lengths(fields, samples);
   const bool all_wet = std::all_of(lengths.begin(), lengths.end(), [](const SweptLength& one) {
@@ -179,7 +179,7 @@ void write_sweep(const MoldingFields& fields, const std::vector<std::vector<Inde
   const SweepOutcome outcome = evaluate_sweep(values, lengths);
   CsvTable table = empty_table({"value", "average_error_percent"});
   for (std::size_t i = 0; i < values.size(); ++i) append_row(table, {values[i], outcome.errors[i]});
-  write_csv(folder.file("sweep.csv"), table);
+  out.tables.push_back({"sweep", std::move(table)});
   summary.own.emplace_back("sweep_parameter", fields.values().sweep.parameter);
   summary.own.emplace_back("sweep_best_value", outcome.best_value);
   summary.own.emplace_back("sweep_best_error_percent", outcome.best_error);
@@ -269,8 +269,9 @@ void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSu
 
 }  // namespace
 
-void write_outcome(const MoldingFields& fields, const MoldingRecord& record, const ResultFolder& folder,
-                   RunSummary& summary) {
+Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record) {
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   add_filling(fields, record, summary);
   std::vector<std::vector<Index>> samples;
   for (const NamedPlace& place : fields.values().output.places)
@@ -283,14 +284,15 @@ void write_outcome(const MoldingFields& fields, const MoldingRecord& record, con
     summary.number_average = means.number_average;
     summary.weight_average = means.weight_average;
   }
-  if (samples.empty()) return;
+  if (samples.empty()) return outcome;
   const CsvTable places = places_table(fields, samples);
-  write_csv(folder.file("places.csv"), places);
-  write_csv(folder.file("profiles.csv"), profiles_table(fields));
+  outcome.tables.push_back({"places", places});
+  outcome.tables.push_back({"profiles", profiles_table(fields)});
   if (fields.set_count() > 0 && !fields.values().fibers.distribution.empty())
-    write_csv(folder.file("histogram.csv"), histogram_table(fields, samples));
+    outcome.tables.push_back({"histogram", histogram_table(fields, samples)});
   add_places(fields, places, summary);
-  write_sweep(fields, samples, folder, summary);
+  add_sweep(fields, samples, outcome);
+  return outcome;
 }
 
 }  // namespace fiberfate

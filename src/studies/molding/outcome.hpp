@@ -1,16 +1,14 @@
-// Writes what a filling came to: values at places, profiles across the gap, the sweep, the summary.
+// Gathers what a filling came to: values at places, profiles across the gap, the sweep, the summary.
 #pragma once
 
-#include "results/result_folder.hpp"
-#include "results/summary.hpp"
+#include "results/outcome.hpp"
 #include "studies/molding/checkpoint.hpp"
 #include "studies/molding/fields.hpp"
 
 namespace fiberfate {
 
-/// Writes places.csv, profiles.csv, histogram.csv and sweep.csv, and adds the keys of the study to the
-/// summary.
-void write_outcome(const MoldingFields& fields, const MoldingRecord& record, const ResultFolder& folder,
-                   RunSummary& summary);
+/// Gathers what a filling came to: tables places, profiles, histogram and sweep, and the study's own keys of
+/// the summary.
+[[nodiscard]] Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record);
 
 }  // namespace fiberfate

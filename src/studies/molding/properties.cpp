@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/threads.hpp"
-#include "io/vtkhdf_file.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
 
@@ -154,8 +153,7 @@ std::vector<TriangleProperties> triangle_properties(const MoldingFields& fields)
   return properties;
 }
 
-void write_properties(const std::string& path, const MoldingFields& fields,
-                      const std::vector<TriangleProperties>& properties) {
+PolyFrame properties_frame(const MoldingFields& fields, const std::vector<TriangleProperties>& properties) {
   const Shell& shell = fields.filling().mesh().shell();
   PolyFrame frame;
   frame.time = fields.filling().state().time;
@@ -180,9 +178,7 @@ void write_properties(const std::string& path, const MoldingFields& fields,
   add("nu_12", "1", [](Properties one) { return one.constants.nu12; });
   add("alpha_1", "1/K", [](Properties one) { return one.expansion[0]; });
   add("alpha_2", "1/K", [](Properties one) { return one.expansion[1]; });
-  VtkhdfWriter writer(path, 0);
-  writer.append(frame);
-  writer.finish();
+  return frame;
 }
 
 }  // namespace fiberfate

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "continuum/stiffness.hpp"
+#include "io/poly_frame.hpp"
 #include "studies/molding/fields.hpp"
 
 namespace fiberfate {
@@ -24,9 +25,9 @@ struct TriangleProperties {
 /// the axes of a triangle are left out of its constants.
 [[nodiscard]] std::vector<TriangleProperties> triangle_properties(const MoldingFields& fields);
 
-/// Writes the properties as VTKHDF PolyData, one frame; raises StorageError.
-void write_properties(const std::string& path, const MoldingFields& fields,
-                      const std::vector<TriangleProperties>& properties);
+/// Makes a frame of the properties.
+[[nodiscard]] PolyFrame properties_frame(const MoldingFields& fields,
+                                         const std::vector<TriangleProperties>& properties);
 
 /// Writes the part for a structural solver: nodes, triangles (S3), and for each its thickness, material axes,
 /// engineering constants and expansion, in keywords that Abaqus and CalculiX share; SI units. Raises

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "studies/law_facts.hpp"
 #include "studies/molding/run.hpp"
 #include "studies/molding/sections.hpp"
 #include "studies/sample/fiber_sections.hpp"

@@ -3,21 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <thread>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
-#include "io/csv_table.hpp"
-#include "io/vtkhdf_file.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 #include "studies/molding/checkpoint.hpp"
 #include "studies/molding/frames.hpp"
 #include "studies/molding/outcome.hpp"
 #include "studies/molding/properties.hpp"
-#include "studies/progress.hpp"
-#include "studies/signals.hpp"
 
 namespace fiberfate {
 namespace {
@@ -25,9 +18,9 @@ namespace {
 /// Holds one filling from its start or its last checkpoint to the next stop.
 class MoldingRun {
  public:
-  MoldingRun(const MoldingCase& values, const RunOptions& options, const ResultFolder& folder, RunLog& log,
-             MoldingSetup setup, Filling filling, const MoldingRecord& before);
-  StopReason run();
+  MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
+             const MoldingRecord& before);
+  [[nodiscard]] Outcome run();
 
  private:
   [[nodiscard]] std::optional<StopReason> reason_to_stop(std::int64_t first_step) const;
@@ -47,22 +40,19 @@ class MoldingRun {
   }
   void write_checkpoint();
   void show_progress();
-  void finish(StopReason reason);
+  [[nodiscard]] Outcome finish(StopReason reason);
+  void tell(StopReason reason) const;
 
   const MoldingCase& values_;
-  const RunOptions& options_;
-  const ResultFolder& folder_;
-  RunLog& log_;
+  Session& session_;
   MoldingSetup setup_;
   Filling filling_;
   MoldingFields fields_;
   MoldingRecord before_;
-  CsvWriter series_;
-  VtkhdfWriter frames_;
-  Progress progress_;
+  std::unique_ptr<RowSink> series_;
+  std::unique_ptr<FrameSink> frames_;
   double greatest_pressure_;
-  double begin_wall_ = wall_seconds();
-  double last_checkpoint_ = begin_wall_;
+  double last_checkpoint_ = wall_seconds();
 };
 
 std::vector<std::string> series_columns(const std::vector<Gate>& gates) {
@@ -75,48 +65,43 @@ std::vector<std::string> series_columns(const std::vector<Gate>& gates) {
   return columns;
 }
 
-MoldingRun::MoldingRun(const MoldingCase& values, const RunOptions& options, const ResultFolder& folder,
-                       RunLog& log, MoldingSetup setup, Filling filling, const MoldingRecord& before)
+MoldingRun::MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
+                       const MoldingRecord& before)
     : values_(values),
-      options_(options),
-      folder_(folder),
-      log_(log),
+      session_(session),
       setup_(std::move(setup)),
       filling_(std::move(filling)),
       fields_(values_, setup_, filling_),
       before_(before),
-      series_(folder.series(), series_columns(setup_.params.gates), before.series_rows),
-      frames_(folder.frames(), before.frames),
-      progress_(options.progress),
+      series_(
+          session.recorder().open_rows("series", series_columns(setup_.params.gates), before.series_rows)),
+      frames_(session.recorder().open_frames("result", before.frames)),
       greatest_pressure_(before.greatest_pressure) {}
 
-StopReason MoldingRun::run() {
+Outcome MoldingRun::run() {
   const std::int64_t first_step = filling_.state().steps;
   try {
     for (;;) {
-      if (const auto reason = reason_to_stop(first_step)) {
-        finish(*reason);
-        return *reason;
-      }
+      if (const auto reason = reason_to_stop(first_step)) return finish(*reason);
       const Moment begin = moment();
       filling_.advance();
       after_step(begin);
     }
   } catch (const SimulationFailure& failure) {
-    progress_.end_line();
-    log_.error(failure.what());
-    write_molding(folder_.failure(), checkpoint());
-    log_.warn("the state at the failure is in " + folder_.failure());
+    session_.end_progress();
+    session_.recorder().error(failure.what());
+    save_failure(session_.recorder(), checkpoint());
     throw;
   }
 }
 
 std::optional<StopReason> MoldingRun::reason_to_stop(std::int64_t first_step) const {
   if (filling_.finished()) return StopReason::done;
-  if (options_.until && filling_.state().time >= *options_.until) return StopReason::time_reached;
-  if (options_.steps && filling_.state().steps - first_step >= *options_.steps)
+  const SessionOptions& options = session_.options();
+  if (options.until && filling_.state().time >= *options.until) return StopReason::time_reached;
+  if (options.steps && filling_.state().steps - first_step >= *options.steps)
     return StopReason::steps_reached;
-  if (stop_requested()) return StopReason::signal;
+  if (session_.stop_requested()) return StopReason::signal;
   return std::nullopt;
 }
 
@@ -145,31 +130,32 @@ void MoldingRun::append_row(const Moment& at) {
     row.push_back(gate.pressure);
     row.push_back(gate.rate);
   }
-  series_.append(row);
+  series_->append(row);
 }
 
 void MoldingRun::append_frame() {
-  frames_.append(part_frame(fields_, frames_.frames() == 0 ? FrameGeometry::own : FrameGeometry::as_before));
+  frames_->append(
+      part_frame(fields_, frames_->frames() == 0 ? FrameGeometry::own : FrameGeometry::as_before));
 }
 
 MoldingRecord MoldingRun::record() const {
   MoldingRecord record;
-  record.series_rows = series_.rows();
-  record.frames = frames_.frames();
-  record.wall_s = before_.wall_s + wall_seconds() - begin_wall_;
-  record.cpu_s = before_.cpu_s + cpu_seconds();
+  record.series_rows = series_->rows();
+  record.frames = frames_->frames();
+  record.wall_s = before_.wall_s + session_.wall_s();
+  record.cpu_s = before_.cpu_s + session_.cpu_s();
   record.greatest_pressure = greatest_pressure_;
   return record;
 }
 
 void MoldingRun::write_checkpoint() {
-  series_.sync();
-  save_molding(folder_, checkpoint());
+  series_->sync();
+  save_checkpoint(session_.recorder(), checkpoint());
   last_checkpoint_ = wall_seconds();
 }
 
 void MoldingRun::show_progress() {
-  progress_.show([this] {
+  session_.show([this] {
     const FillingState& state = filling_.state();
     return fmt::format("{:.4g} s, {:.1f} % filled, sprue at {:.4g} MPa, {} of about {} steps", state.time,
                        100 * filling_.filled_fraction(), 1e-6 * state.sprue_pressure, state.steps,
@@ -177,75 +163,67 @@ void MoldingRun::show_progress() {
   });
 }
 
-void MoldingRun::finish(StopReason reason) {
-  progress_.end_line();
+Outcome MoldingRun::finish(StopReason reason) {
+  session_.end_progress();
   write_checkpoint();
-  frames_.finish();
+  frames_->finish();
   const FillingState& state = filling_.state();
-  RunSummary summary;
-  summary.study = "molding";
+  Outcome outcome = gather_outcome(fields_, record());
+  RunSummary& summary = outcome.summary;
   summary.stop_reason = reason;
-  summary.threads = thread_count();
   summary.simulated_s = state.time;
   summary.steps = state.steps;
   summary.volume_fraction = values_.fibers.volume_fraction;
-  write_outcome(fields_, record(), folder_, summary);
-  write_layers(folder_.file("layers.vtkhdf"), fields_);
+  outcome.prisms.push_back({"layers", layer_prisms(fields_)});
   if (has_properties(values_))
-    write_properties(folder_.file("properties.vtkhdf"), fields_, triangle_properties(fields_));
+    outcome.frames.push_back({"properties", {properties_frame(fields_, triangle_properties(fields_))}});
   const MoldingRecord now = record();
   summary.wall_s = now.wall_s;
   summary.cpu_s = now.cpu_s;
-  write_summary(folder_.summary(), summary);
-  log_.note(fmt::format("stopped ({}, {}) at {:.6g} s after {} steps, {:.4g} % filled", name(reason),
-                        name(state.stop_reason), state.time, state.steps, 100 * filling_.filled_fraction()));
+  tell(reason);
+  return outcome;
+}
+
+void MoldingRun::tell(StopReason reason) const {
+  const FillingState& state = filling_.state();
+  session_.recorder().note(fmt::format("stopped ({}, {}) at {:.6g} s after {} steps, {:.4g} % filled",
+                                       name(reason), name(state.stop_reason), state.time, state.steps,
+                                       100 * filling_.filled_fraction()));
   if (filling_.finished() && state.stop_reason != FillingEnd::filled)
-    log_.warn(fmt::format("the cavity did not fill: {} at {:.7g} %", name(state.stop_reason),
-                          100 * filling_.filled_fraction()));
+    session_.recorder().warn(fmt::format("the cavity did not fill: {} at {:.7g} %", name(state.stop_reason),
+                                         100 * filling_.filled_fraction()));
 }
 
-void use_chosen_threads(const MoldingCase& values, const RunOptions& options) {
-  const int chosen = options.threads.value_or(values.threads);
-  use_threads(chosen > 0 ? chosen : static_cast<int>(std::thread::hardware_concurrency()));
+Outcome begin_filling(const MoldingCase& values, Session& session) {
+  MoldingSetup setup = molding_setup(values);
+  Filling filling(ShellMesh(setup.part.shell), setup.params);
+  session.recorder().note(fmt::format("{} nodes, {} triangles, {:.4g} cm^3, {} threads",
+                                      filling.mesh().node_count(), filling.mesh().triangle_count(),
+                                      1e6 * filling.mesh().total_volume(), thread_count()));
+  return MoldingRun(values, session, std::move(setup), std::move(filling), {}).run();
 }
 
-bool has_checkpoint(const ResultFolder& folder) {
-  return std::filesystem::exists(folder.checkpoint()) ||
-         std::filesystem::exists(folder.previous_checkpoint());
+Outcome continue_filling(const MoldingCase& values, Session& session) {
+  MoldingCheckpoint from = load_molding(session.recorder());
+  MoldingSetup setup = molding_setup(values, from.shell);
+  Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
+  if (filling.finished()) session.recorder().warn("the filling is at its end already");
+  session.recorder().note(fmt::format("continuing at {:.9g} s", filling.state().time));
+  return MoldingRun(values, session, std::move(setup), std::move(filling), from.record).run();
 }
 
 }  // namespace
 
-StopReason run_molding(const MoldingCase& values, const RunOptions& options, ResultFolder& folder) {
-  const SignalWatch watch;
-  RunLog log(folder);
-  use_chosen_threads(values, options);
-  MoldingSetup setup = molding_setup(values);
-  Filling filling(ShellMesh(setup.part.shell), setup.params);
-  log.note(fmt::format("{} nodes, {} triangles, {:.4g} cm^3, {} threads", filling.mesh().node_count(),
-                       filling.mesh().triangle_count(), 1e6 * filling.mesh().total_volume(), thread_count()));
-  return MoldingRun(values, options, folder, log, std::move(setup), std::move(filling), {}).run();
-}
-
-StopReason resume_molding(const MoldingCase& values, const RunOptions& options, ResultFolder& folder) {
-  if (!has_checkpoint(folder)) return run_molding(values, options, folder);
-  const SignalWatch watch;
-  RunLog log(folder);
-  use_chosen_threads(values, options);
-  MoldingCheckpoint from = load_molding(folder, log);
-  MoldingSetup setup = molding_setup(values, from.shell);
-  Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
-  if (filling.finished()) log.warn("the filling is at its end already");
-  log.note(fmt::format("continuing at {:.9g} s", filling.state().time));
-  return MoldingRun(values, options, folder, log, std::move(setup), std::move(filling), from.record).run();
+Outcome compute_molding(const MoldingCase& values, Session& session) {
+  session.use_threads(values.threads);
+  return session.continues() ? continue_filling(values, session) : begin_filling(values, session);
 }
 
 std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out) {
   if (!has_properties(values))
     throw InputError("this result has no stiffness: the case follows no orientation or gives no lengths",
                      "choose a law in [orientation] and give fibers.length");
-  RunLog log(folder);
-  MoldingCheckpoint from = load_molding(folder, log);
+  MoldingCheckpoint from = load_molding(folder);
   MoldingSetup setup = molding_setup(values, from.shell);
   const Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
   const MoldingFields fields(values, setup, filling);

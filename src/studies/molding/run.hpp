@@ -6,12 +6,10 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder: series.csv, result.vtkhdf, layers.vtkhdf, properties.vtkhdf,
-/// profiles.csv, places.csv, sweep.csv, summary.json, checkpoints. Raises SimulationFailure with the state
-/// dumped.
-StopReason run_molding(const MoldingCase& values, const RunOptions& options, ResultFolder& folder);
-/// Continues from the folder's last checkpoint; the result is that of a run that was never interrupted.
-StopReason resume_molding(const MoldingCase& values, const RunOptions& options, ResultFolder& folder);
+/// Fills the mold: tables series, profiles, places and sweep, frames result, layers and properties,
+/// checkpoints. Goes on from the last checkpoint where the session does; the result is that of a run that was
+/// never interrupted. Raises SimulationFailure with the state saved.
+[[nodiscard]] Outcome compute_molding(const MoldingCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder);
 /// Writes the part with its stiffness for a structural solver to `out`/part.inp and tells its path. Raises

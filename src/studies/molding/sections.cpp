@@ -8,7 +8,6 @@
 
 #include "io/vtkhdf_file.hpp"
 #include "results/fiber_frame.hpp"
-#include "results/run_log.hpp"
 #include "studies/molding/checkpoint.hpp"
 #include "studies/molding/setup.hpp"
 
@@ -67,8 +66,7 @@ std::vector<std::size_t> chosen_frames(std::size_t frames, std::size_t nodes) {
 }
 
 void add_marks(const MoldingCase& values, const ResultFolder& folder, ShellSection& section) {
-  RunLog log(folder);
-  const MoldingCheckpoint last = load_molding(folder, log);
+  const MoldingCheckpoint last = load_molding(folder);
   const MoldingSetup setup = molding_setup(values, last.shell);
   for (const Gate& gate : setup.params.gates)
     section.places.push_back(

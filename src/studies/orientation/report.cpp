@@ -1,5 +1,6 @@
 // Builds the report of the study orientation from the files of its result folder.
 
+#include "studies/law_facts.hpp"
 #include "studies/orientation/run.hpp"
 #include "studies/sample/fiber_sections.hpp"
 

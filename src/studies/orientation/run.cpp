@@ -7,15 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "base/timer.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/fokker_planck.hpp"
 #include "io/csv_table.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
-#include "results/result_folder.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 #include "studies/orientation/stress.hpp"
 
 namespace fiberfate {
@@ -120,11 +116,9 @@ void append_law(RunSummary& summary, const std::string& key, const LawMenu& menu
 
 }  // namespace
 
-StopReason run_orientation(const OrientationCase& values, const RunOptions&, ResultFolder& folder) {
-  const double begin = wall_seconds();
-  RunLog log(folder);
-  RunSummary summary;
-  summary.study = "orientation";
+Outcome compute_orientation(const OrientationCase& values, Session& session) {
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   summary.simulated_s = values.duration;
   append_law(summary, "diffusion", diffusion_menu(), values.diffusion);
   append_law(summary, "retardation", retardation_menu(), values.retardation);
@@ -140,18 +134,10 @@ StopReason run_orientation(const OrientationCase& values, const RunOptions&, Res
   summary.own.emplace_back("rejected_steps", integrator.record().rejected);
   summary.own.emplace_back("projections", integrator.projections());
   summary.own.emplace_back("final_rate_per_s", law.rate(second, gradient).norm());
-  write_csv(folder.series(), series);
-  summary.wall_s = wall_seconds() - begin;
-  summary.cpu_s = cpu_seconds();
-  write_summary(folder.summary(), summary);
-  log.note(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", second(0, 0), second(1, 1),
-                       second(2, 2), values.duration));
-  return StopReason::done;
-}
-
-StopReason resume_orientation(const OrientationCase& values, const RunOptions& options,
-                              ResultFolder& folder) {
-  return run_orientation(values, options, folder);
+  outcome.tables.push_back({"series", std::move(series)});
+  session.recorder().note(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", second(0, 0),
+                                      second(1, 1), second(2, 2), values.duration));
+  return outcome;
 }
 
 }  // namespace fiberfate

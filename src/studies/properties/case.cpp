@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "keys/key_rows.hpp"
 #include "keys/law_choice.hpp"
 #include "microstructure/closure.hpp"
 #include "packing/population.hpp"
@@ -13,51 +14,101 @@
 namespace fiberfate {
 namespace {
 
-void describe_elasticity(KeyTable& table, const std::string& section, IsotropicElasticity& elasticity,
-                         double& expansion, double& density) {
-  table.quantity(
-      section + ".youngs_modulus", elasticity.modulus,
-      {.text = "Young's modulus.", .unit = "Pa", .friendly = "GPa", .range = Range::positive(1e13)});
-  table.quantity(section + ".poisson_ratio", elasticity.poisson,
-                 {.text = "Poisson's ratio.", .range = Range::inside(-1, 0.5)});
-  table.quantity(section + ".expansion", expansion,
-                 {.text = "Linear thermal expansion.", .unit = "1/K", .range = Range::between(-1e-2, 1e-2)});
-  table.quantity(section + ".density", density,
-                 {.text = "Density; it matters only with fibers.weight_fraction.",
-                  .unit = "kg/m3",
-                  .range = Range::positive(1e5)});
+/// Keys that fibers and matrix share.
+template <class Choices>
+std::vector<KeyRow<Choices>> material_rows() {
+  return {{"youngs_modulus",
+           &Choices::youngs_modulus,
+           {"Pa", "GPa"},
+           Range::positive(1e13),
+           {},
+           "",
+           "Young's modulus."},
+          {"poisson_ratio", &Choices::poisson_ratio, {}, Range::inside(-1, 0.5), {}, "", "Poisson's ratio."},
+          {"expansion",
+           &Choices::expansion,
+           {"1/K"},
+           Range::between(-1e-2, 1e-2),
+           {},
+           "",
+           "Linear thermal expansion."},
+          {"density",
+           &Choices::density,
+           {"kg/m3"},
+           Range::positive(1e5),
+           {},
+           "",
+           "Density; it matters only with fibers.weight_fraction."}};
 }
 
-void describe_fibers(KeyTable& table, CompositeFiberChoices& fibers) {
-  table.section("fibers", "The fibers; give one fraction, and an aspect ratio, a length or a distribution.");
-  table.quantity("fibers.volume_fraction", fibers.volume_fraction,
-                 {.text = "Volume of the fibers over that of the part.",
-                  .range = Range::between(0, 1),
-                  .example = "\"13.2 %\""});
-  table.quantity("fibers.weight_fraction", fibers.weight_fraction,
-                 {.text = "Weight of the fibers over that of the part, instead of volume_fraction.",
-                  .range = Range::between(0, 1),
-                  .example = "\"30 %\""});
-  table.quantity("fibers.aspect_ratio", fibers.aspect_ratio,
-                 {.text = "Length over diameter.", .range = Range::positive(1e9), .example = "25"});
-  table.quantity("fibers.length", fibers.length,
-                 {.text = "One length of all fibers, instead of aspect_ratio.",
-                  .unit = "m",
-                  .friendly = "mm",
-                  .range = Range::positive(10),
-                  .example = "\"2 mm\""});
-  table.rows("fibers.distribution", fibers.distribution,
+void describe_distribution(KeyTable& table, const std::string& key, CompositeFiberChoices& fibers) {
+  table.rows(key, fibers.distribution,
              {{"length", {"m", "mm"}, Range::positive(10)}, {"number", {"1", "1"}, Range::not_negative()}},
              {.text = "Rows [length, number of fibers], or the path of a text file with such rows in SI, "
                       "distribution.csv of a measurement, say; the properties are averaged by volume.",
               .example = R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])"});
-  table.quantity("fibers.diameter", fibers.diameter,
-                 {.text = "Diameter, which makes an aspect ratio of a length.",
-                  .unit = "m",
-                  .friendly = "um",
-                  .range = Range::positive(1e-2)});
-  table.orientation("fibers.orientation", fibers.orientation, {.text = "Orientation tensor A2."});
-  describe_elasticity(table, "fibers", fibers.elasticity, fibers.expansion, fibers.density);
+}
+
+KeyGroup<CompositeFiberChoices> fiber_keys() {
+  using Fibers = CompositeFiberChoices;
+  std::vector<KeyRow<Fibers>> rows = {
+      {"volume_fraction",
+       &Fibers::volume_fraction,
+       {},
+       Range::between(0, 1),
+       optional("\"13.2 %\""),
+       "",
+       "Volume of the fibers over that of the part."},
+      {"weight_fraction",
+       &Fibers::weight_fraction,
+       {},
+       Range::between(0, 1),
+       optional("\"30 %\""),
+       "",
+       "Weight of the fibers over that of the part, instead of volume_fraction."},
+      {"aspect_ratio",
+       &Fibers::aspect_ratio,
+       {},
+       Range::positive(1e9),
+       optional("25"),
+       "",
+       "Length over diameter."},
+      {"length",
+       &Fibers::length,
+       {"m", "mm"},
+       Range::positive(10),
+       optional("\"2 mm\""),
+       "",
+       "One length of all fibers, instead of aspect_ratio."},
+      {"distribution", describe_distribution},
+      {"diameter",
+       &Fibers::diameter,
+       {"m", "um"},
+       Range::positive(1e-2),
+       {},
+       "",
+       "Diameter, which makes an aspect ratio of a length."},
+      {"orientation", [](KeyTable& table, const std::string& key, Fibers& fibers) {
+         table.orientation(key, fibers.orientation, {.text = "Orientation tensor A2."});
+       }}};
+  for (KeyRow<Fibers>& row : material_rows<Fibers>()) rows.push_back(std::move(row));
+  return {"fibers", "The fibers; give one fraction, and an aspect ratio, a length or a distribution.", rows};
+}
+
+KeyGroup<SolutionChoices> solution_keys() {
+  const Choices<Homogenisation> models = {
+      {Homogenisation::halpin_tsai, "halpin_tsai", "semi-empirical interpolation"},
+      {Homogenisation::mori_tanaka, "mori_tanaka", "mean field with Eshelby's tensor"},
+      {Homogenisation::lielens, "lielens", "between the bounds; stiffer at high fractions"}};
+  return {"solution",
+          "How properties are predicted (docs/theory/properties.md).",
+          {{"model", &SolutionChoices::model, models, "", "Stiffness of aligned fibers."},
+           {"closure", [](KeyTable& table, const std::string& key, SolutionChoices& solution) {
+              std::vector<std::pair<std::string, std::string>> names;
+              for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
+              describe_name(table, key, solution.closure, std::move(names),
+                            {.text = "How A4 is made from A2 (docs/theory/closures.md)."});
+            }}}};
 }
 
 void validate_fraction(const CompositeFiberChoices& fibers, CaseChecker& checker) {
@@ -90,20 +141,12 @@ void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker)
 }  // namespace
 
 void describe_properties(KeyTable& table, PropertiesCase& values) {
-  describe_fibers(table, values.fibers);
-  table.section("matrix", "The matrix; the defaults are polypropylene.");
-  describe_elasticity(table, "matrix", values.matrix.elasticity, values.matrix.expansion,
-                      values.matrix.density);
-  table.section("solution", "How properties are predicted (docs/theory/properties.md).");
-  table.choice("solution.model", values.model,
-               {{Homogenisation::halpin_tsai, "halpin_tsai", "semi-empirical interpolation"},
-                {Homogenisation::mori_tanaka, "mori_tanaka", "mean field with Eshelby's tensor"},
-                {Homogenisation::lielens, "lielens", "between the bounds; stiffer at high fractions"}},
-               {.text = "Stiffness of aligned fibers."});
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
-  describe_name(table, "solution.closure", values.closure, std::move(names),
-                {.text = "How A4 is made from A2 (docs/theory/closures.md)."});
+  describe(table, fiber_keys(), values.fibers);
+  describe(table,
+           KeyGroup<CompositeMatrixChoices>{"matrix", "The matrix; the defaults are polypropylene.",
+                                            material_rows<CompositeMatrixChoices>()},
+           values.matrix);
+  describe(table, solution_keys(), values.solution);
 }
 
 void validate_properties(const PropertiesCase& values, CaseChecker& checker) {
@@ -114,7 +157,7 @@ void validate_properties(const PropertiesCase& values, CaseChecker& checker) {
   if (!checker.is_sound()) return;
   try {
     const auto aligned =
-        length_average(composite_material(values), aspect_ratios(values.fibers), values.model);
+        length_average(composite_material(values), aspect_ratios(values.fibers), values.solution.model);
     if (!stores_energy(aligned.stiffness))
       checker.warn("solution.model", "gives a material that some strain would take energy from",
                    "take mori_tanaka or lielens, or other Poisson's ratios");
@@ -146,7 +189,12 @@ CompositeMaterial composite_material(const PropertiesCase& values) {
       fibers.weight_fraction
           ? volume_from_weight_fraction(*fibers.weight_fraction, fibers.density, values.matrix.density)
           : fibers.volume_fraction.value_or(0);
-  return {fibers.elasticity, values.matrix.elasticity, fibers.expansion, values.matrix.expansion, fraction};
+  const CompositeMatrixChoices& matrix = values.matrix;
+  return {{fibers.youngs_modulus, fibers.poisson_ratio},
+          {matrix.youngs_modulus, matrix.poisson_ratio},
+          fibers.expansion,
+          matrix.expansion,
+          fraction};
 }
 
 std::vector<AspectRatioClass> aspect_ratios(const CompositeFiberChoices& fibers) {

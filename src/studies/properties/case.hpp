@@ -1,4 +1,4 @@
-// Holds a case of the study properties: the materials, lengths and orientation of a part made of short
+// A case of the study properties: the materials, lengths and orientation of a part made of short
 // fibers.
 #pragma once
 
@@ -13,9 +13,10 @@
 
 namespace fiberfate {
 
-/// Holds [fibers].
+/// [fibers].
 struct CompositeFiberChoices {
-  IsotropicElasticity elasticity = {73e9, 0.22};
+  double youngs_modulus = 73e9;  ///< Pa
+  double poisson_ratio = 0.22;
   double expansion = 5e-6;  ///< 1/K
   double density = 2550;    ///< kg/m³
   double diameter = 19e-6;  ///< m
@@ -27,18 +28,24 @@ struct CompositeFiberChoices {
   Mat3 orientation = Mat3::Identity() / 3;
 };
 
-/// Holds [matrix].
+/// [matrix].
 struct CompositeMatrixChoices {
-  IsotropicElasticity elasticity = {1.5e9, 0.4};
+  double youngs_modulus = 1.5e9;  ///< Pa
+  double poisson_ratio = 0.4;
   double expansion = 1e-4;  ///< 1/K
   double density = 905;     ///< kg/m³
+};
+
+/// [solution].
+struct SolutionChoices {
+  Homogenisation model = Homogenisation::mori_tanaka;
+  std::string closure = "exact";  ///< at no cost here, and right for aligned, planar and isotropic fibers
 };
 
 struct PropertiesCase {
   CompositeFiberChoices fibers;
   CompositeMatrixChoices matrix;
-  Homogenisation model = Homogenisation::mori_tanaka;
-  std::string closure = "exact";  ///< at no cost here, and right for aligned, planar and isotropic fibers
+  SolutionChoices solution;
 };
 
 void describe_properties(KeyTable& table, PropertiesCase& values);

@@ -13,8 +13,8 @@ namespace {
 FactsSection asked(const PropertiesCase& values) {
   const CompositeMaterial material = composite_material(values);
   FactsSection section{"asked", "What was asked", {}};
-  section.rows = {{"Model", std::string(name(values.model))},
-                  {"Closure", values.closure},
+  section.rows = {{"Model", std::string(name(values.solution.model))},
+                  {"Closure", values.solution.closure},
                   {"Volume fraction", 100 * material.volume_fraction, "%"},
                   {"Orientation", values.fibers.orientation},
                   {"Young's modulus of the fibers", material.fiber.modulus, "Pa"},

@@ -6,12 +6,8 @@
 #include <cmath>
 
 #include "base/constants.hpp"
-#include "base/timer.hpp"
 #include "io/csv_table.hpp"
 #include "microstructure/closure.hpp"
-#include "results/result_folder.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 
 namespace fiberfate {
 namespace {
@@ -50,34 +46,25 @@ CsvTable modulus_table(const Mat6& stiffness) {
 
 }  // namespace
 
-StopReason run_properties(const PropertiesCase& values, const RunOptions&, ResultFolder& folder) {
-  const double begin = wall_seconds();
-  RunLog log(folder);
-  RunSummary summary;
-  summary.study = "properties";
+Outcome compute_properties(const PropertiesCase& values, Session& session) {
+  Outcome outcome;
+  RunSummary& summary = outcome.summary;
   const CompositeMaterial material = composite_material(values);
   const Mat3& second = values.fibers.orientation;
   const ThermoelasticProperties aligned =
-      length_average(material, aspect_ratios(values.fibers), values.model);
+      length_average(material, aspect_ratios(values.fibers), values.solution.model);
   const ThermoelasticProperties part =
-      orientation_average(aligned, close(second, closure_named(values.closure)), second);
+      orientation_average(aligned, close(second, closure_named(values.solution.closure)), second);
   summary.volume_fraction = material.volume_fraction;
   summary.orientation = second;
-  summary.own.emplace_back("model", std::string(name(values.model)));
+  summary.own.emplace_back("model", std::string(name(values.solution.model)));
   append_constants(summary, "", part);
   append_constants(summary, "aligned_", aligned);
-  write_csv(folder.file("modulus.csv"), modulus_table(part.stiffness));
-  summary.wall_s = wall_seconds() - begin;
-  summary.cpu_s = cpu_seconds();
-  write_summary(folder.summary(), summary);
+  outcome.tables.push_back({"modulus", modulus_table(part.stiffness)});
   const EngineeringConstants c = engineering_constants(part.stiffness);
-  log.note(
+  session.recorder().note(
       fmt::format("E_1 {:.4g} GPa, E_2 {:.4g} GPa, E_3 {:.4g} GPa", 1e-9 * c.e1, 1e-9 * c.e2, 1e-9 * c.e3));
-  return StopReason::done;
-}
-
-StopReason resume_properties(const PropertiesCase& values, const RunOptions& options, ResultFolder& folder) {
-  return run_properties(values, options, folder);
+  return outcome;
 }
 
 }  // namespace fiberfate

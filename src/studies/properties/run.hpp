@@ -6,10 +6,8 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder: summary.json, modulus.csv.
-StopReason run_properties(const PropertiesCase& values, const RunOptions& options, ResultFolder& folder);
-/// Runs it again: it takes a moment, so that nothing is kept of an interrupted run.
-StopReason resume_properties(const PropertiesCase& values, const RunOptions& options, ResultFolder& folder);
+/// Predicts the properties: table modulus.
+[[nodiscard]] Outcome compute_properties(const PropertiesCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_properties(const PropertiesCase& values, const ResultFolder& folder);
 

@@ -9,7 +9,6 @@
 #include "dynamics/simulation.hpp"
 #include "fibers/observables.hpp"
 #include "studies/sample/start.hpp"
-#include "studies/signals.hpp"
 
 namespace fiberfate {
 namespace {
@@ -83,7 +82,7 @@ void validate_relaxation(const RelaxationChoices& choices, CaseChecker& checker)
 }
 
 RelaxedFibers relax_fibers(const RelaxationChoices& choices, const ContactParameters& contact,
-                           const FiberState& start, Progress& progress) {
+                           const FiberState& start, const Session& session) {
   DynamicsParameters parameters;
   parameters.contact = contact;
   const double duration = choices.duration.value_or(0);
@@ -95,7 +94,7 @@ RelaxedFibers relax_fibers(const RelaxationChoices& choices, const ContactParame
   for (int check = 0; check <= checks; ++check) {
     const double until = duration * check / checks;
     while (simulation.state().time < until) {
-      if (stop_requested()) throw PackingStopped();
+      session.end_if_stopped(packing_stopped);
       static_cast<void>(simulation.advance(until));
     }
     const FiberState& state = simulation.state();
@@ -106,7 +105,7 @@ RelaxedFibers relax_fibers(const RelaxationChoices& choices, const ContactParame
     }
     const double overlap = simulation.contact_statistics().max_overlap / 2, radius = minimum_radius(state);
     relaxed = {state, RelaxationEnd::time_over, state.time, drift};
-    progress.show([&] {
+    session.show([&] {
       return fmt::format(
           "relaxing: {:.4g} ms, largest overlap {:.3g} diameters, smallest radius {:.4g} um, "
           "orientation changed by {:.2g}",
@@ -116,7 +115,7 @@ RelaxedFibers relax_fibers(const RelaxationChoices& choices, const ContactParame
     relaxed.end = RelaxationEnd::met;
     break;
   }
-  progress.end_line();
+  session.end_progress();
   relaxed.state = begin_again(std::move(relaxed.state));
   return relaxed;
 }

@@ -8,7 +8,7 @@
 #include "fibers/state.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/key_table.hpp"
-#include "studies/progress.hpp"
+#include "studies/session.hpp"
 
 namespace fiberfate {
 
@@ -38,8 +38,9 @@ void describe_relaxation(KeyTable& table, RelaxationChoices& choices);
 void validate_relaxation(const RelaxationChoices& choices, CaseChecker& checker);
 
 /// Moves the fibers until no overlap and no radius of curvature is worse than wanted, or the time is over, or
-/// A2 would change more than it may: then the state before that is kept. Raises PackingStopped on a signal.
+/// A2 would change more than it may: then the state before that is kept. Raises NoOutcome when the
+/// session is asked to stop.
 [[nodiscard]] RelaxedFibers relax_fibers(const RelaxationChoices& choices, const ContactParameters& contact,
-                                         const FiberState& start, Progress& progress);
+                                         const FiberState& start, const Session& session);
 
 }  // namespace fiberfate

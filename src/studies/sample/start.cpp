@@ -4,35 +4,34 @@
 #include <fmt/format.h>
 
 #include "results/fiber_file.hpp"
-#include "studies/signals.hpp"
 
 namespace fiberfate {
 namespace {
 
-StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, Progress& progress) {
+StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, const Session& session) {
   Population population = plan_population(species(sample), concentration(sample), start.seed);
   PackingRequest request = packing_request(sample, start.contact, start.seed);
   request.materials = std::move(population.materials);
   request.fibers = std::move(population.fibers);
   request.cell = rectangular_cell(population.cell_size);
   request.cell.boundary[1] = start.boundary_y;
-  PackingResult result = pack(request, [&progress](const PackingProgress& now) {
-    if (stop_requested()) throw PackingStopped();
-    progress.show([&now] {
+  PackingResult result = pack(request, [&session](const PackingProgress& now) {
+    session.end_if_stopped(packing_stopped);
+    session.show([&now] {
       return fmt::format(
           "packing, {}: step {}, largest overlap {:.3g} diameters, smallest radius {:.4g} um, "
           "orientation off by {:.2g}",
           now.stage, now.step, now.largest_overlap, 1e6 * now.minimum_radius, now.orientation_error);
     });
   });
-  progress.end_line();
+  session.end_progress();
   number_by_height(result.state);
   return {std::move(result.state), std::move(result.report)};
 }
 
 }  // namespace
 
-void warn_of_sinking_in(const PackingReport& packing, RunLog& log) {
+void warn_of_sinking_in(const PackingReport& packing, Recorder& log) {
   constexpr double harmless = 0.02;
   if (packing.overlap_at_rest < harmless) return;
   log.warn(
@@ -44,8 +43,8 @@ void warn_of_sinking_in(const PackingReport& packing, RunLog& log) {
                   packing.overlap_at_rest));
 }
 
-StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, Progress& progress) {
-  if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, progress);
+StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, const Session& session) {
+  if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, session);
   StartingFibers fibers;
   fibers.state = sample.cluster.source == ClusterSource::fiber
                      ? single_fiber(sample)

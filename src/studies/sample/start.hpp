@@ -6,11 +6,12 @@
 
 #include "fibers/state.hpp"
 #include "packing/packing_statistics.hpp"
-#include "results/run_log.hpp"
-#include "studies/progress.hpp"
 #include "studies/sample/case.hpp"
+#include "studies/session.hpp"
 
 namespace fiberfate {
+
+inline constexpr const char* packing_stopped = "stopped while packing; resuming will pack again";
 
 /// Says what the fibers are made for.
 struct StartRequest {
@@ -25,15 +26,13 @@ struct StartingFibers {
   std::optional<PackingReport> packing;  ///< where they were packed
 };
 
-/// Is raised when a signal asks to stop while fibers are being packed; nothing of the packing is kept.
-struct PackingStopped {};
-
-/// Makes the fibers of a valid sample. Raises InputError when they cannot exist or be read.
+/// Makes the fibers of a valid sample. Raises InputError when they cannot exist or be read, and NoOutcome
+/// when the session is asked to stop meanwhile.
 [[nodiscard]] StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request,
-                                         Progress& progress);
+                                         const Session& session);
 
 /// Warns when the fibers of a packing press so hard that they would sink into each other under the contact
 /// law, by more than 2 % of a diameter.
-void warn_of_sinking_in(const PackingReport& packing, RunLog& log);
+void warn_of_sinking_in(const PackingReport& packing, Recorder& log);
 
 }  // namespace fiberfate

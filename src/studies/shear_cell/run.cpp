@@ -3,23 +3,18 @@
 
 #include <fmt/format.h>
 
-#include <thread>
+#include <memory>
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "fibers/observables.hpp"
-#include "io/atomic_file.hpp"
-#include "io/csv_table.hpp"
-#include "io/vtkhdf_file.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
 #include "results/output_schedule.hpp"
-#include "results/run_log.hpp"
-#include "results/summary.hpp"
 #include "studies/sample/start.hpp"
 #include "studies/shear_cell/run_loop.hpp"
 #include "studies/shear_cell/series.hpp"
-#include "studies/signals.hpp"
+#include "studies/shear_cell/status.hpp"
 
 namespace fiberfate {
 namespace {
@@ -27,11 +22,10 @@ namespace {
 /// Holds one run from its start or its last checkpoint to the next stop.
 class ShearCellRun {
  public:
-  ShearCellRun(const ShearCellCase& values, const RunOptions& options, const ResultFolder& folder,
-               RunLog& log, Checkpoint from);
+  ShearCellRun(const ShearCellCase& values, Session& session, Checkpoint from);
   /// Writes the outputs of the very first moment and a checkpoint of it.
   void begin();
-  StopReason run();
+  [[nodiscard]] Outcome run();
   [[nodiscard]] bool has_reached_end() const { return simulation_.state().time >= limits_.end; }
 
  private:
@@ -40,14 +34,13 @@ class ShearCellRun {
   void take_breaks();
   void show_progress(const StepReport& report);
   void dump(const SimulationFailure& failure);
-  void finish(const RunOutcome& outcome);
+  [[nodiscard]] Outcome finish(const RunOutcome& outcome);
   [[nodiscard]] RunSummary summarise(const RunOutcome& outcome);
   [[nodiscard]] RunRecord record() const;
   [[nodiscard]] Checkpoint checkpoint();
 
   const ShearCellCase& values_;
-  const ResultFolder& folder_;
-  RunLog& log_;
+  Session& session_;
   std::string resolved_case_;
   RunRecord before_;  ///< what earlier processes counted
   FlowHistory flow_;
@@ -55,21 +48,21 @@ class ShearCellRun {
   OutputSchedule frame_times_;
   RunLimits limits_;
   Simulation simulation_;
-  CsvWriter series_;
-  CsvWriter breaks_;
-  VtkhdfWriter frames_;
-  Progress progress_;
+  std::unique_ptr<RowSink> series_;
+  std::unique_ptr<RowSink> breaks_;
+  std::unique_ptr<FrameSink> frames_;
   StepLimit step_limit_ = StepLimit::control;
   std::int64_t rejections_ = 0;
   double begin_time_;  ///< simulated, s
-  double begin_wall_ = wall_seconds();
+  double begin_wall_;  ///< of the session, s
 };
 
 OutputSchedule frame_schedule(const ShearCellCase& values) {
   return {frame_interval(values), values.output.histogram_times};
 }
 
-RunLimits limits_of(const ShearCellCase& values, const RunOptions& options) {
+RunLimits limits_of(const ShearCellCase& values, const Session& session) {
+  const SessionOptions& options = session.options();
   RunLimits limits;
   const OutputSchedule series{series_interval(values), {}};
   limits.end = series.snapped(options.until.value_or(values.run.duration));
@@ -77,26 +70,25 @@ RunLimits limits_of(const ShearCellCase& values, const RunOptions& options) {
       limits.end == series.snapped(values.run.duration) ? StopReason::done : StopReason::time_reached;
   limits.steps = options.steps;
   limits.checkpoint_interval = values.output.checkpoint_interval;
+  limits.stop_requested = [&session] { return session.stop_requested(); };
   return limits;
 }
 
-ShearCellRun::ShearCellRun(const ShearCellCase& values, const RunOptions& options, const ResultFolder& folder,
-                           RunLog& log, Checkpoint from)
+ShearCellRun::ShearCellRun(const ShearCellCase& values, Session& session, Checkpoint from)
     : values_(values),
-      folder_(folder),
-      log_(log),
+      session_(session),
       resolved_case_(std::move(from.resolved_case)),
       before_(from.record),
       flow_(flow_history(values.flow)),
       series_times_{series_interval(values), {}},
       frame_times_(frame_schedule(values)),
-      limits_(limits_of(values, options)),
+      limits_(limits_of(values, session)),
       simulation_(values.dynamics, flow_, std::move(from.state)),
-      series_(folder.series(), shear_cell_columns(), from.record.series_rows),
-      breaks_(folder.breaks(), break_columns(), from.record.break_rows),
-      frames_(folder.frames(), from.record.frames),
-      progress_(options.progress),
-      begin_time_(simulation_.state().time) {
+      series_(session.recorder().open_rows("series", shear_cell_columns(), from.record.series_rows)),
+      breaks_(session.recorder().open_rows("breaks", break_columns(), from.record.break_rows)),
+      frames_(session.recorder().open_frames("result", from.record.frames)),
+      begin_time_(simulation_.state().time),
+      begin_wall_(session.wall_s()) {
   simulation_.times() = before_.times;
 }
 
@@ -105,7 +97,7 @@ void ShearCellRun::begin() {
   write_checkpoint();
 }
 
-StopReason ShearCellRun::run() {
+Outcome ShearCellRun::run() {
   RunActions actions;
   actions.next_output = [this](double time) {
     return std::min(series_times_.next(time), frame_times_.next(time));
@@ -115,9 +107,7 @@ StopReason ShearCellRun::run() {
   actions.checkpoint = [this] { write_checkpoint(); };
   actions.progress = [this](const StepReport& report) { show_progress(report); };
   try {
-    const RunOutcome outcome = run_loop(simulation_, limits_, actions);
-    finish(outcome);
-    return outcome.reason;
+    return finish(run_loop(simulation_, limits_, actions));
   } catch (const SimulationFailure& failure) {
     dump(failure);
     throw;
@@ -129,25 +119,25 @@ void ShearCellRun::write_outputs() {
   const FiberState& state = simulation_.state();
   const bool last = state.time >= limits_.end;
   if (last || series_times_.includes(state.time)) {
-    series_.append(shear_cell_row(values_, flow_, simulation_));
-    series_.flush();
-    breaks_.flush();
+    series_->append(shear_cell_row(values_, flow_, simulation_));
+    series_->flush();
+    breaks_->flush();
   }
-  if (last || frame_times_.includes(state.time)) frames_.append(fiber_frame(state));
+  if (last || frame_times_.includes(state.time)) frames_->append(fiber_frame(state));
 }
 
 void ShearCellRun::take_breaks() {
-  for (const BreakEvent& event : simulation_.take_break_events()) breaks_.append(break_row(event));
+  for (const BreakEvent& event : simulation_.take_break_events()) breaks_->append(break_row(event));
 }
 
 RunRecord ShearCellRun::record() const {
   RunRecord record;
-  record.series_rows = series_.rows();
-  record.break_rows = breaks_.rows();
-  record.frames = frames_.frames();
+  record.series_rows = series_->rows();
+  record.break_rows = breaks_->rows();
+  record.frames = frames_->frames();
   record.rejections = before_.rejections + rejections_;
-  record.wall_s = before_.wall_s + wall_seconds() - begin_wall_;
-  record.cpu_s = before_.cpu_s + cpu_seconds();
+  record.wall_s = before_.wall_s + session_.wall_s();
+  record.cpu_s = before_.cpu_s + session_.cpu_s();
   return record;
 }
 
@@ -159,38 +149,37 @@ Checkpoint ShearCellRun::checkpoint() {
 
 void ShearCellRun::write_checkpoint() {
   const PhaseTimer timer(simulation_.times(), Phase::output);
-  series_.sync();
-  breaks_.sync();
-  save_checkpoint(folder_, checkpoint());
+  series_->sync();
+  breaks_->sync();
+  save_checkpoint(session_.recorder(), checkpoint());
 }
 
 void ShearCellRun::show_progress(const StepReport& report) {
   rejections_ += report.rejections;
   if (report.limit != StepLimit::event) step_limit_ = report.limit;
-  progress_.show([this] {
+  session_.show([this] {
     const FiberState& state = simulation_.state();
     const MeanLengths lengths = mean_lengths(state);
-    return describe(RunStatus{state.time, begin_time_, limits_.end, wall_seconds() - begin_wall_,
+    return describe(RunStatus{state.time, begin_time_, limits_.end, session_.wall_s() - begin_wall_,
                               lengths.number_average, lengths.weight_average, state.step_size,
                               name(step_limit_)});
   });
 }
 
 void ShearCellRun::dump(const SimulationFailure& failure) {
-  progress_.end_line();
-  log_.error(failure.what());
-  fiberfate::write_checkpoint(folder_.failure(), checkpoint());
-  log_.warn("the state at the failure is in " + folder_.failure());
+  session_.end_progress();
+  session_.recorder().error(failure.what());
+  save_failure(session_.recorder(), checkpoint());
 }
 
-void ShearCellRun::finish(const RunOutcome& outcome) {
-  progress_.end_line();
+Outcome ShearCellRun::finish(const RunOutcome& outcome) {
+  session_.end_progress();
   write_checkpoint();
-  frames_.finish();
-  write_summary(folder_.summary(), summarise(outcome));
+  frames_->finish();
   const FiberState& state = simulation_.state();
-  log_.note(fmt::format("stopped ({}) at {:.9g} s after {} steps, {} breaks", name(outcome.reason),
-                        state.time, state.step, state.breaks));
+  session_.recorder().note(fmt::format("stopped ({}) at {:.9g} s after {} steps, {} breaks",
+                                       name(outcome.reason), state.time, state.step, state.breaks));
+  return {summarise(outcome)};
 }
 
 RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
@@ -201,7 +190,6 @@ RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
   summary.timings = simulation_.times();
   const ContactStatistics contacts = simulation_.contact_statistics();
   describe_fibers(summary, state);
-  summary.study = "shear_cell";
   summary.stop_reason = outcome.reason;
   summary.seed = values_.dynamics.seed;
   summary.wall_s = now.wall_s;
@@ -222,51 +210,37 @@ RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
   return summary;
 }
 
-void use_chosen_threads(const ShearCellCase& values, const RunOptions& options) {
-  const int chosen = options.threads.value_or(values.run.threads);
-  use_threads(chosen > 0 ? chosen : static_cast<int>(std::thread::hardware_concurrency()));
-}
-
-}  // namespace
-
-StopReason run_shear_cell(const ShearCellCase& values, const RunOptions& options, ResultFolder& folder) {
-  const SignalWatch watch;
-  RunLog log(folder);
-  use_chosen_threads(values, options);
-  log.note("making the fibers");
+Outcome begin_run(const ShearCellCase& values, Session& session) {
+  Recorder& recorder = session.recorder();
+  recorder.note("making the fibers");
   Checkpoint start;
-  start.resolved_case = read_file(folder.resolved_case());
-  try {
-    Progress progress(options.progress);
-    StartingFibers fibers = make_fibers(
-        values.sample, {values.dynamics.contact, values.boundary_y, values.dynamics.seed}, progress);
-    start.state = std::move(fibers.state);
-    if (fibers.packing) warn_of_sinking_in(*fibers.packing, log);
-  } catch (const PackingStopped&) {
-    log.warn("stopped while packing; resuming will pack again");
-    return StopReason::signal;
-  }
-  log.note(fmt::format("{} fibers of {} rods in all, {:.4g} % by volume, {} threads",
-                       start.state.fiber_count(), start.state.rod_count(), 100 * volume_fraction(start.state),
-                       thread_count()));
-  ShearCellRun run(values, options, folder, log, std::move(start));
+  start.resolved_case = recorder.resolved_case();
+  StartingFibers fibers =
+      make_fibers(values.sample, {values.dynamics.contact, values.boundary_y, values.dynamics.seed}, session);
+  start.state = std::move(fibers.state);
+  if (fibers.packing) warn_of_sinking_in(*fibers.packing, recorder);
+  recorder.note(fmt::format("{} fibers of {} rods in all, {:.4g} % by volume, {} threads",
+                            start.state.fiber_count(), start.state.rod_count(),
+                            100 * volume_fraction(start.state), thread_count()));
+  ShearCellRun run(values, session, std::move(start));
   run.begin();
   return run.run();
 }
 
-StopReason resume_shear_cell(const ShearCellCase& values, const RunOptions& options, ResultFolder& folder) {
-  if (!has_checkpoint(folder)) return run_shear_cell(values, options, folder);
-  const SignalWatch watch;
-  RunLog log(folder);
-  use_chosen_threads(values, options);
-  Checkpoint from = load_checkpoint(folder, log);
-  log.note(fmt::format("continuing at {:.9g} s", from.state.time));
-  ShearCellRun run(values, options, folder, log, std::move(from));
-  if (run.has_reached_end()) {
-    log.warn("the run is at its end already; give a later --until to continue");
-    return StopReason::done;
-  }
+Outcome continue_run(const ShearCellCase& values, Session& session) {
+  Checkpoint from = load_checkpoint(session.recorder());
+  session.recorder().note(fmt::format("continuing at {:.9g} s", from.state.time));
+  ShearCellRun run(values, session, std::move(from));
+  if (run.has_reached_end())
+    throw NoOutcome{StopReason::done, "the run is at its end already; give a later --until to continue"};
   return run.run();
+}
+
+}  // namespace
+
+Outcome compute_shear_cell(const ShearCellCase& values, Session& session) {
+  session.use_threads(values.run.threads);
+  return session.continues() ? continue_run(values, session) : begin_run(values, session);
 }
 
 }  // namespace fiberfate

@@ -6,10 +6,10 @@
 
 namespace fiberfate {
 
-/// Runs a case into an empty result folder.
-StopReason run_shear_cell(const ShearCellCase& values, const RunOptions& options, ResultFolder& folder);
-/// Continues from the folder's last checkpoint.
-StopReason resume_shear_cell(const ShearCellCase& values, const RunOptions& options, ResultFolder& folder);
+/// Shears the cell: tables series and breaks, frames, checkpoints. Goes on from the last checkpoint where
+/// the session does; the result is that of a run that was never interrupted. Raises SimulationFailure with
+/// the state saved.
+[[nodiscard]] Outcome compute_shear_cell(const ShearCellCase& values, Session& session);
 /// Gathers what the report shows from the files of a result folder.
 ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder& folder);
 

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "studies/signals.hpp"
-
 namespace fiberfate {
 namespace {
 
 std::optional<StopReason> reason_to_stop(const FiberState& state, const RunLimits& limits,
                                          std::int64_t first_step) {
   if (state.time >= limits.end) return limits.at_end;
-  if (stop_requested()) return StopReason::signal;
+  if (limits.stop_requested && limits.stop_requested()) return StopReason::signal;
   if (limits.steps && state.step - first_step >= *limits.steps) return StopReason::steps_reached;
   return std::nullopt;
 }

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "dynamics/simulation.hpp"
-#include "studies/study.hpp"
+#include "results/run_types.hpp"
 
 namespace fiberfate {
 
@@ -16,6 +16,7 @@ struct RunLimits {
   StopReason at_end = StopReason::done;  ///< what reaching it means
   std::optional<std::int64_t> steps;     ///< most steps to make
   double checkpoint_interval = 300;      ///< wall time between checkpoints, s
+  std::function<bool()> stop_requested = {};
 };
 
 /// Gathers what is done between steps.

@@ -55,7 +55,7 @@ TEST(CaseFile, FillsTheStruct) {
   const LoadedCase loaded = parse_case(smallest_case, "c.toml", case_kinds(),
                                        {"breakage.law=fixed", "breakage.critical_radius=300 um"});
   const ShearCellCase& values = shear_cell(loaded);
-  EXPECT_EQ(loaded.study->name, "shear_cell");
+  EXPECT_EQ(loaded.kind->name, "shear_cell");
   EXPECT_EQ(values.sample.fibers.count, 10);
   EXPECT_EQ(values.sample.fibers.diameter, 19e-6);
   EXPECT_EQ(values.dynamics.breakage.law, BreakageLaw::fixed);

@@ -1,5 +1,5 @@
 // Watches for signals.
-#include "studies/signals.hpp"
+#include "app/signals.hpp"
 
 #include <csignal>
 #include <initializer_list>

@@ -1,0 +1,16 @@
+// Runs a study into a result folder, as the command line does.
+#pragma once
+
+#include "app/run_options.hpp"
+#include "results/result_folder.hpp"
+#include "studies/study.hpp"
+
+namespace fiberfate {
+
+/// Refuses options that the study does not act on (InputError).
+void check_options(const Study& study, const SessionOptions& options);
+
+/// Runs a case into a folder, with signals and progress, prints how it ended and returns the exit status.
+int run_study(const LoadedCase& loaded, const RunOptions& options, const ResultFolder& folder, Begin begin);
+
+}  // namespace fiberfate

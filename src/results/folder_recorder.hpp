@@ -1,0 +1,39 @@
+// Keeps what a study makes in a result folder.
+#pragma once
+
+#include "results/outcome.hpp"
+#include "results/recorder.hpp"
+#include "results/result_folder.hpp"
+#include "results/run_log.hpp"
+
+namespace fiberfate {
+
+/// Keeps everything in a result folder (docs/formats/results.md).
+class FolderRecorder final : public Recorder {
+ public:
+  /// Opens the folder's log; raises StorageError.
+  explicit FolderRecorder(const ResultFolder& folder) : folder_(folder), log_(folder) {}
+
+  void note(const std::string& text) override { log_.note(text); }
+  void warn(const std::string& text) override { log_.warn(text); }
+  void error(const std::string& text) override { log_.error(text); }
+  [[nodiscard]] std::unique_ptr<RowSink> open_rows(const std::string& name,
+                                                   const std::vector<std::string>& columns,
+                                                   std::int64_t kept) override;
+  [[nodiscard]] std::unique_ptr<FrameSink> open_frames(const std::string& name, std::int64_t kept) override;
+  [[nodiscard]] bool has_checkpoint() const override;
+  void save_checkpoint(const CheckpointBody& body) override;
+  void read_checkpoint(const std::function<void(const std::string& path)>& read) override;
+  void save_failure(const CheckpointBody& body) override;
+  [[nodiscard]] std::string resolved_case() const override;
+
+ private:
+  ResultFolder folder_;
+  RunLog log_;
+};
+
+/// Writes an outcome into a folder: its tables, frames and prisms, and summary.json last. Raises
+/// StorageError.
+void write_outcome(const Outcome& outcome, const ResultFolder& folder);
+
+}  // namespace fiberfate

@@ -1,0 +1,54 @@
+// How one study runs.
+#include "studies/session.hpp"
+
+#include <thread>
+#include <utility>
+
+#include "base/threads.hpp"
+#include "base/timer.hpp"
+
+namespace fiberfate {
+
+Session::Session(Recorder& recorder, SessionOptions options, SessionCalls calls, Begin begin)
+    : recorder_(recorder),
+      options_(options),
+      calls_(std::move(calls)),
+      begin_(begin),
+      begin_wall_(wall_seconds()),
+      begin_cpu_(cpu_seconds()) {}
+
+bool Session::continues() const {
+  return begin_ == Begin::where_it_stopped && recorder_.has_checkpoint();
+}
+
+bool Session::stop_requested() const {
+  return calls_.stop_requested && calls_.stop_requested();
+}
+
+void Session::end_if_stopped(const std::string& message) const {
+  if (stop_requested()) throw NoOutcome{StopReason::signal, message};
+}
+
+void Session::show(const std::function<std::string()>& text) const {
+  if (calls_.progress) calls_.progress(text);
+}
+
+void Session::end_progress() const {
+  if (calls_.progress_ended) calls_.progress_ended();
+}
+
+int Session::use_threads(int of_case) const {
+  const int chosen = options_.threads.value_or(of_case);
+  fiberfate::use_threads(chosen > 0 ? chosen : static_cast<int>(std::thread::hardware_concurrency()));
+  return thread_count();
+}
+
+double Session::wall_s() const {
+  return wall_seconds() - begin_wall_;
+}
+
+double Session::cpu_s() const {
+  return cpu_seconds() - begin_cpu_;
+}
+
+}  // namespace fiberfate
