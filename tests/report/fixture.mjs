@@ -173,7 +173,7 @@ export function make_document({ fibers: count = 138, rods = 25, frames: frame_co
     subtitle: `${count} glass fibers of 2.5 mm in a periodic cell of molten polypropylene, sheared at 16.65 1/s for 1.5 s`,
     sections: [
       {
-        kind: "facts", id: "asked", title: "What was asked",
+        kind: "facts", id: "asked", title: "Inputs",
         rows: [
           { label: "fibers", value: count }, { label: "rods per fiber", value: rods },
           { label: "fiber diameter", value: 1.9e-5, unit: "m" }, { label: "fiber length", value: fiber_length, unit: "m" },
@@ -183,7 +183,7 @@ export function make_document({ fibers: count = 138, rods = 25, frames: frame_co
         ],
       },
       {
-        kind: "facts", id: "found", title: "What came out",
+        kind: "facts", id: "found", title: "Results",
         rows: [
           { label: "L_N", value: last.number, unit: "m", note: "number average" },
           { label: "L_W", value: last.weight, unit: "m", note: "weight average" },

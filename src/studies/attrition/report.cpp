@@ -12,7 +12,7 @@ namespace fiberfate {
 namespace {
 
 FactsSection asked(const AttritionCase& values) {
-  FactsSection section{"asked", "What was asked", law_facts(attrition_menu(), "Law", values.law)};
+  FactsSection section{"asked", "Inputs", law_facts(attrition_menu(), "Law", values.law)};
   const auto append = [&section](const std::vector<Fact>& facts) {
     section.rows.insert(section.rows.end(), facts.begin(), facts.end());
   };
@@ -25,7 +25,7 @@ FactsSection asked(const AttritionCase& values) {
 }
 
 FactsSection came_out(const SummaryFile& summary) {
-  FactsSection section{"outcome", "What came out", {}};
+  FactsSection section{"outcome", "Results", {}};
   section.rows = {
       {"L_N at the start", summary.number("L_N_start_m"), "m"},
       {"L_W at the start", summary.number("L_W_start_m"), "m"},

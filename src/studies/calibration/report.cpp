@@ -44,8 +44,7 @@ std::vector<double> pick(const CsvTable& table, double fit, double second, const
 }
 
 FactsSection asked(const CalibrationCase& values) {
-  FactsSection section{"asked", "What was asked",
-                       law_facts(calibrated_menu(values), "Law", calibrated_law(values))};
+  FactsSection section{"asked", "Inputs", law_facts(calibrated_menu(values), "Law", calibrated_law(values))};
   section.rows.push_back({"Fitted", fmt::format("{}", fmt::join(values.search.free, ", "))});
   if (calibrates_orientation(values)) section.rows.push_back({"Closure", values.closure});
   for (const std::vector<std::string>& row : values.data.series)

@@ -12,7 +12,7 @@ namespace fiberfate {
 namespace {
 
 FactsSection asked(const ClusterCase& values) {
-  FactsSection section{"asked", "What was asked", sample_facts(values.sample)};
+  FactsSection section{"asked", "Inputs", sample_facts(values.sample)};
   section.rows.push_back(
       {"Weight of curvature", values.sample.cluster.weights.curvature, "", "against overlap"});
   section.rows.push_back(
@@ -85,7 +85,7 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
 }
 
 FactsSection came_out(const SummaryFile& summary) {
-  FactsSection section{"outcome", "What came out", outcome_facts(summary)};
+  FactsSection section{"outcome", "Results", outcome_facts(summary)};
   section.rows.insert(
       section.rows.end(),
       {{"Orientation error", summary.number("orientation_error"), "", "largest component"},

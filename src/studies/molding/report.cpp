@@ -32,7 +32,7 @@ const char* part_name(PartKind kind) {
 }
 
 FactsSection asked(const MoldingCase& values) {
-  FactsSection section{"asked", "What was asked", {}};
+  FactsSection section{"asked", "Inputs", {}};
   const auto append = [&section](const std::vector<Fact>& facts) {
     section.rows.insert(section.rows.end(), facts.begin(), facts.end());
   };
@@ -54,7 +54,7 @@ FactsSection asked(const MoldingCase& values) {
 }
 
 FactsSection came_out(const SummaryFile& summary) {
-  FactsSection section{"outcome", "What came out", {}};
+  FactsSection section{"outcome", "Results", {}};
   section.rows = {{"End", summary.text("filling_end")},
                   {"Filled share of the cavity", summary.number("filled_fraction")},
                   {"Time", summary.number("simulated_s"), "s"},

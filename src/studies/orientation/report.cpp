@@ -8,8 +8,7 @@ namespace fiberfate {
 namespace {
 
 FactsSection asked(const OrientationCase& values) {
-  FactsSection section{"asked", "What was asked",
-                       law_facts(diffusion_menu(), "Rotary diffusion", values.diffusion)};
+  FactsSection section{"asked", "Inputs", law_facts(diffusion_menu(), "Rotary diffusion", values.diffusion)};
   const std::vector<Fact> retardation = law_facts(retardation_menu(), "Retardation", values.retardation);
   section.rows.insert(section.rows.end(), retardation.begin(), retardation.end());
   const std::vector<Fact> melt = law_facts(viscosity_menu(), "Viscosity of the melt", values.melt);
@@ -23,7 +22,7 @@ FactsSection asked(const OrientationCase& values) {
 }
 
 FactsSection came_out(const OrientationCase& values, const SummaryFile& summary) {
-  FactsSection section{"outcome", "What came out", {}};
+  FactsSection section{"outcome", "Results", {}};
   section.rows = {{"Orientation at the end", summary.tensor("A2")},
                   {"Strain", summary.number("strain")},
                   {"Rate of change at the end", summary.number("final_rate_per_s"), "1/s", "norm of DA/Dt"},

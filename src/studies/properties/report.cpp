@@ -12,7 +12,7 @@ namespace {
 
 FactsSection asked(const PropertiesCase& values) {
   const CompositeMaterial material = composite_material(values);
-  FactsSection section{"asked", "What was asked", {}};
+  FactsSection section{"asked", "Inputs", {}};
   section.rows = {{"Model", std::string(name(values.solution.model))},
                   {"Closure", values.solution.closure},
                   {"Volume fraction", 100 * material.volume_fraction, "%"},

@@ -59,7 +59,7 @@ void append_breakage(std::vector<Fact>& facts, const BreakageParameters& breakag
 }
 
 FactsSection asked(const ShearCellCase& values) {
-  FactsSection section{"asked", "What was asked", sample_facts(values.sample)};
+  FactsSection section{"asked", "Inputs", sample_facts(values.sample)};
   append_flow(section.rows, values.flow);
   section.rows.push_back({"Duration", values.run.duration, "s"});
   section.rows.push_back(
@@ -73,7 +73,7 @@ FactsSection asked(const ShearCellCase& values) {
 }
 
 FactsSection came_out(const SummaryFile& summary) {
-  FactsSection section{"outcome", "What came out", outcome_facts(summary)};
+  FactsSection section{"outcome", "Results", outcome_facts(summary)};
   section.rows.insert(section.rows.begin(), {{"Simulated time", summary.number("simulated_s"), "s"},
                                              {"Shear strain", summary.number("strain")},
                                              {"Breaks", summary.count("breaks")}});
