@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Checks that every page of the documentation can be reached: links lead to files and headings that exist.
+"""Checks what the documentation points at: links lead to files and headings that exist, and so do the sources it names.
 
-Usage: check_links.py ROOT. Prints every dead link as file:line: what is wrong, and every page of docs/ that no other page
-links to; exits with 1 when there is any.
+Usage: check_links.py ROOT. Prints every dead link as file:line: what is wrong, every page of docs/ that no other page
+links to, every source file that a page names and that is not there, and every row of a table "| `file` | `name` |" whose
+file does not contain the name; exits with 1 when there is any.
 """
 import pathlib
 import re
@@ -10,6 +11,9 @@ import sys
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*)$", re.MULTILINE)
+MODULES = "base|io|microstructure|fibers|packing|dynamics|continuum|molding|calibration|keys|results|studies|app"
+SOURCE = re.compile(rf"`(?:src/)?((?:{MODULES})/[\w/.]+)`")
+SOURCE_AND_NAME = re.compile(rf"^\| `((?:{MODULES})/[\w/.]+)` \| `([\w:]+)` \|")
 
 
 def pages(root):
@@ -32,10 +36,29 @@ def links(page):
             yield from ((number, link) for link in LINK.findall(line) if "://" not in link)
 
 
+def files_named(root, name):
+    """Sources that a page means by "dynamics/motion" or "dynamics/motion.hpp"; a folder stands for itself."""
+    path = root / "src" / name
+    return [path] if path.exists() else sorted(path.parent.glob(path.name + ".*"))
+
+
+def missing_sources(root, page):
+    """Yields (line, what is wrong) for the sources that a page names; guides name files that a reader is to make."""
+    if page.name.startswith("adding_") or root / "docs" not in page.parents:
+        return
+    for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+        yield from ((number, f"src/{name} does not exist") for name in SOURCE.findall(line) if not files_named(root, name))
+        row = SOURCE_AND_NAME.match(line)
+        path = row and root / "src" / row[1]
+        if path and path.is_file() and row[2].split("::")[-1] not in path.read_text(encoding="utf-8"):
+            yield number, f"src/{row[1]} does not name {row[2]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     found, reached, count = [], set(), 0
     for page in pages(root):
+        found += [f"{page.relative_to(root)}:{number}: {what}" for number, what in missing_sources(root, page)]
         for number, link in links(page):
             count += 1
             path, _, anchor = link.partition("#")
