@@ -9,7 +9,7 @@ foreach(module base io microstructure fibers packing dynamics continuum molding 
     list(APPEND installed_modules fiberfate_${module})
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/src/${module}"
             DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/fiberfate"
-            FILES_MATCHING PATTERN "*.hpp" PATTERN "*.kernel.hpp" EXCLUDE)
+            FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp" PATTERN "*.kernel.hpp" EXCLUDE)
   endif()
 endforeach()
 

@@ -1,4 +1,4 @@
-# Installs the build in BUILD, builds the program in CONSUMER against it and runs it.
+# Installs the build in BUILD, builds the programs in CONSUMER and of the guide in EXAMPLES against it and runs them.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
   if(NOT status EQUAL 0)
@@ -11,7 +11,9 @@ set(consumer "${BUILD}/install_test/consumer")
 file(REMOVE_RECURSE "${BUILD}/install_test")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}")
 run("${CMAKE_COMMAND}" -S "${CONSUMER}" -B "${consumer}" -G Ninja "-DCMAKE_PREFIX_PATH=${prefix}"
-    "-DCMAKE_CXX_COMPILER=${COMPILER}")
+    "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DEXAMPLES=${EXAMPLES}")
 run("${CMAKE_COMMAND}" --build "${consumer}")
-run("${consumer}/tumble")
+foreach(program tumble cell_in_memory user_law)
+  run("${consumer}/${program}")
+endforeach()
 run("${prefix}/bin/fiberfate" --version)

@@ -2,8 +2,9 @@
 """Checks what the documentation points at: links lead to files and headings that exist, and so do the sources it names.
 
 Usage: check_links.py ROOT. Prints every dead link as file:line: what is wrong, every page of docs/ that no other page
-links to, every source file that a page names and that is not there, and every row of a table "| `file` | `name` |" whose
-file does not contain the name; exits with 1 when there is any.
+links to, every source file that a page names and that is not there, every row of a table "| `file` | `name` |" whose
+file does not contain the name, and every line of C or C++ that a page quotes from docs/examples and that is not in the
+example any more; exits with 1 when there is any.
 """
 import pathlib
 import re
@@ -54,11 +55,26 @@ def missing_sources(root, page):
             yield number, f"src/{row[1]} does not name {row[2]}"
 
 
+def misquoted(root, page):
+    """Yields (line, what is wrong) for code on a page that links to examples."""
+    text = page.read_text(encoding="utf-8")
+    if "](../examples/" not in text:
+        return
+    examples = {line.strip() for example in (root / "docs/examples").iterdir() for line in example.read_text(encoding="utf-8").splitlines()}
+    quotes = False
+    for number, line in enumerate(text.splitlines(), 1):
+        if line.startswith("```"):
+            quotes = line in ("```c", "```cpp")
+        elif quotes and line.strip() not in examples | {"", "…"}:
+            yield number, f"no example has the line: {line.strip()}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     found, reached, count = [], set(), 0
     for page in pages(root):
-        found += [f"{page.relative_to(root)}:{number}: {what}" for number, what in missing_sources(root, page)]
+        found += [f"{page.relative_to(root)}:{number}: {what}" for check in (missing_sources, misquoted)
+                  for number, what in check(root, page)]
         for number, link in links(page):
             count += 1
             path, _, anchor = link.partition("#")
