@@ -2,6 +2,7 @@
 #include "app/command_report.hpp"
 
 #include "app/study_registry.hpp"
+#include "base/error.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,11 @@ int run_report(const ReportOptions& options) {
   document.subtitle = std::filesystem::path(folder.path()).filename().string();
   document.study = loaded.kind->name;
   document.version = version;
-  replace_file(folder.report(), render_report(document));
+  const std::string page = render_report(document);
+  if (std::filesystem::exists(folder.report()) && !recorded_files(folder.path()).contains("report.html"))
+    throw InputError(folder.report() + " is there already, and fiberfate did not make it", "move it away");
+  record_file(folder.path(), "report.html");
+  replace_file(folder.report(), page);
   fmt::print("report in {}\n", folder.report());
   return 0;
 }

@@ -6,9 +6,8 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
-#include "base/error.hpp"
-#include "io/atomic_file.hpp"
 #include "keys/case_file.hpp"
 #include "results/result_folder.hpp"
 
@@ -31,14 +30,9 @@ int run_run(const RunOptions& options) {
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   check_options(study_of(loaded), options.session);
   const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
-  ResultFolder folder = ResultFolder::create(path, options.existing);
-  try {
-    replace_file(folder.resolved_case(), resolved_case(*loaded.kind, loaded.values));
-    return run_study(loaded, options, folder, Begin::anew);
-  } catch (const InputError&) {
-    folder.remove();  // bad input leaves no half-written result
-    throw;
-  }
+  OwnedFolder folder = OwnedFolder::create(path, options.existing);
+  folder.write_case(resolved_case(*loaded.kind, loaded.values));
+  return run_study(loaded, options, std::move(folder), Begin::anew);
 }
 
 }  // namespace fiberfate

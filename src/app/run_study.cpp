@@ -16,17 +16,26 @@ namespace {
 constexpr int stopped_by_signal = 4;
 
 /// Writes what the study computes and tells why it ended.
-StopReason compute_into(const ResultFolder& folder, const LoadedCase& loaded, Session& session) {
+StopReason compute_into(OwnedFolder& folder, const LoadedCase& loaded, Session& session) {
   try {
     Outcome outcome = study_of(loaded).compute(loaded.values, session);
     if (outcome.summary.wall_s == 0) outcome.summary.wall_s = session.wall_s();
     if (outcome.summary.cpu_s == 0) outcome.summary.cpu_s = session.cpu_s();
     write_outcome(outcome, folder);
+    folder.keep();
     return outcome.summary.stop_reason;
   } catch (const NoOutcome& end) {
     session.end_progress();
     session.recorder().warn(end.message);
+    // What was stopped before it began to show anything does not replace an earlier result.
+    if (!folder.replaces()) folder.keep();
     return end.reason;
+  } catch (const SimulationFailure&) {
+    folder.keep();
+    throw;
+  } catch (const StorageError&) {
+    if (session.recorder().has_checkpoint() || !folder.replaces()) folder.stand();
+    throw;
   }
 }
 
@@ -50,7 +59,7 @@ void check_options(const Study& study, const SessionOptions& options) {
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
-int run_study(const LoadedCase& loaded, const RunOptions& options, const ResultFolder& folder, Begin begin) {
+int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder folder, Begin begin) {
   const SignalWatch watch;
   Progress progress(options.progress);
   FolderRecorder recorder(folder);
@@ -60,7 +69,7 @@ int run_study(const LoadedCase& loaded, const RunOptions& options, const ResultF
   calls.progress_ended = [&progress] { progress.end_line(); };
   Session session(recorder, options.session, std::move(calls), begin);
   const StopReason reason = compute_into(folder, loaded, session);
-  fmt::print("{}: result in {}\n", name(reason), folder.path());
+  fmt::print("{}: result in {}\n", name(reason), folder.folder().path());
   return reason == StopReason::signal ? stopped_by_signal : 0;
 }
 

@@ -10,7 +10,8 @@ namespace fiberfate {
 /// Refuses options that the study does not act on (InputError).
 void check_options(const Study& study, const SessionOptions& options);
 
-/// Runs a case into a folder, with signals and progress, prints how it ended and returns the exit status.
-int run_study(const LoadedCase& loaded, const RunOptions& options, const ResultFolder& folder, Begin begin);
+/// Runs a case into a folder, with signals and progress, prints how it ended and returns the exit status. A
+/// case that is refused late (InputError) leaves the disk as it was.
+int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder folder, Begin begin);
 
 }  // namespace fiberfate

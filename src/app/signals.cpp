@@ -20,11 +20,10 @@ SignalWatch::SignalWatch() {
   requested = 0;
   std::signal(SIGTERM, take_note);
   std::signal(SIGINT, take_note);
-  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 SignalWatch::~SignalWatch() {
-  for (const int number : {SIGTERM, SIGINT, SIGXFSZ}) std::signal(number, SIG_DFL);
+  for (const int number : {SIGTERM, SIGINT}) std::signal(number, SIG_DFL);
 }
 
 bool stop_requested() {

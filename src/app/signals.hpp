@@ -4,7 +4,7 @@
 namespace fiberfate {
 
 /// While it lives, SIGTERM and SIGINT only leave a note that stop_requested() tells; a second one ends the
-/// program at once. A file that grows beyond its limit becomes an error of the write instead of a signal.
+/// program at once.
 class SignalWatch {
  public:
   SignalWatch();

@@ -15,10 +15,12 @@ std::string header_of(const std::vector<std::string>& columns) {
   return fmt::format("{}\n", fmt::join(columns, ","));
 }
 
-/// Cuts a table after its first rows and tells how many it keeps.
-std::int64_t keep_rows(const std::string& path, const std::string& header, std::int64_t kept) {
+/// Cuts a table after its first rows, digests what it keeps and tells how many rows that are.
+std::int64_t keep_rows(const std::string& path, const std::string& header, std::int64_t kept,
+                       Digest& digest) {
   if (kept == 0) {
     replace_file(path, header);
+    digest.add(header);
     return 0;
   }
   const std::string text = read_file(path);
@@ -31,6 +33,7 @@ std::int64_t keep_rows(const std::string& path, const std::string& header, std::
           fmt::format("cannot continue {}: it has {} rows where the checkpoint counts {}", path, row, kept));
     end = line_end + 1;
   }
+  digest.add(std::string_view(text).substr(0, end));
   if (end != text.size()) cut_file(path, end);
   return kept;
 }
@@ -68,11 +71,13 @@ void add_row(CsvTable& table, std::string_view line, const std::string& place) {
 }  // namespace
 
 CsvWriter::CsvWriter(const std::string& path, const std::vector<std::string>& columns, std::int64_t kept_rows)
-    : columns_(columns.size()), rows_(keep_rows(path, header_of(columns), kept_rows)), file_(path) {}
+    : columns_(columns.size()), rows_(keep_rows(path, header_of(columns), kept_rows, digest_)), file_(path) {}
 
 void CsvWriter::append(std::span<const double> row) {
   assert(row.size() == columns_);
-  file_.append(fmt::format("{}\n", fmt::join(row, ",")));
+  const std::string line = fmt::format("{}\n", fmt::join(row, ","));
+  digest_.add(line);
+  file_.append(line);
   ++rows_;
 }
 

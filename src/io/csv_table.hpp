@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/digest.hpp"
 #include "io/atomic_file.hpp"
 
 namespace fiberfate {
@@ -23,9 +24,12 @@ class CsvWriter {
   /// Waits until the rows have reached the disk; raises StorageError.
   void sync() { file_.sync(); }
   [[nodiscard]] std::int64_t rows() const { return rows_; }
+  /// Tells the whole text so far by a number.
+  [[nodiscard]] std::uint64_t digest() const { return digest_.value(); }
 
  private:
   std::size_t columns_;
+  Digest digest_;
   std::int64_t rows_;
   AppendedFile file_;
 };

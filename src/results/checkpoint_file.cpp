@@ -55,14 +55,17 @@ Hdf5File open_checkpoint_file(const std::string& path) {
   return file;
 }
 
-void read_newest_checkpoint(const ResultFolder& folder, const std::function<void(const std::string&)>& warn,
-                            const std::function<void(const std::string& path)>& read) {
+CheckpointAge read_newest_checkpoint(const ResultFolder& folder,
+                                     const std::function<void(const std::string&)>& warn,
+                                     const std::function<void(const std::string& path)>& read) {
   try {
     read(folder.checkpoint());
+    return CheckpointAge::newest;
   } catch (const StorageError& error) {
     if (!std::filesystem::exists(folder.previous_checkpoint())) throw;
     warn(fmt::format("{}; continuing from {}", error.what(), folder.previous_checkpoint()));
     read(folder.previous_checkpoint());
+    return CheckpointAge::previous;
   }
 }
 

@@ -19,9 +19,13 @@ void rotate_checkpoints(const ResultFolder& folder, const CheckpointBody& body);
 /// Opens a checkpoint file; raises StorageError when it is missing or of a format that is not read.
 [[nodiscard]] Hdf5File open_checkpoint_file(const std::string& path);
 
+/// Which of the two checkpoints of a folder.
+enum class CheckpointAge { newest, previous };
+
 /// Calls `read` with the newest checkpoint of the folder, and where that raises StorageError with the
-/// previous one, after a warning. Raises StorageError when neither can be read.
-void read_newest_checkpoint(const ResultFolder& folder, const std::function<void(const std::string&)>& warn,
-                            const std::function<void(const std::string& path)>& read);
+/// previous one, after a warning; tells which one it was. Raises StorageError when neither can be read.
+CheckpointAge read_newest_checkpoint(const ResultFolder& folder,
+                                     const std::function<void(const std::string&)>& warn,
+                                     const std::function<void(const std::string& path)>& read);
 
 }  // namespace fiberfate

@@ -1,6 +1,8 @@
 // Keeps what a study makes in a result folder.
 #pragma once
 
+#include <map>
+
 #include "results/outcome.hpp"
 #include "results/recorder.hpp"
 #include "results/result_folder.hpp"
@@ -12,7 +14,7 @@ namespace fiberfate {
 class FolderRecorder final : public Recorder {
  public:
   /// Opens the folder's log; raises StorageError.
-  explicit FolderRecorder(const ResultFolder& folder) : folder_(folder), log_(folder) {}
+  explicit FolderRecorder(OwnedFolder& owned) : owned_(owned), log_(owned.make("log.txt")) {}
 
   void note(const std::string& text) override { log_.note(text); }
   void warn(const std::string& text) override { log_.warn(text); }
@@ -28,12 +30,18 @@ class FolderRecorder final : public Recorder {
   [[nodiscard]] std::string resolved_case() const override;
 
  private:
-  ResultFolder folder_;
+  [[nodiscard]] const ResultFolder& folder() const { return owned_.folder(); }
+  void save_digests(Hdf5File& file) const;
+  void read_digests(const std::string& checkpoint);
+
+  OwnedFolder& owned_;
   RunLog log_;
+  std::map<std::string, const RowSink*> open_rows_;
+  std::map<std::string, std::uint64_t> kept_digests_;  ///< of the tables at the checkpoint that was read
 };
 
 /// Writes an outcome into a folder: its tables, frames and prisms, and summary.json last. Raises
 /// StorageError.
-void write_outcome(const Outcome& outcome, const ResultFolder& folder);
+void write_outcome(const Outcome& outcome, OwnedFolder& folder);
 
 }  // namespace fiberfate

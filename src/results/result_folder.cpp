@@ -1,4 +1,4 @@
-// Makes, opens and clears result folders.
+// Makes, opens and gives back result folders.
 #include "results/result_folder.hpp"
 
 #include <fmt/format.h>
@@ -6,90 +6,194 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <system_error>
 
+#include "base/digest.hpp"
 #include "base/error.hpp"
+#include "io/atomic_file.hpp"
 
 namespace fiberfate {
 namespace {
 
 namespace fs = std::filesystem;
 
-// What a run, or a report about it, writes and what a result is known by; the leftovers of a killed run too.
-constexpr std::array result_files = {
-    "case.resolved.toml",
-    "summary.json",
-    "series.csv",
-    "breaks.csv",
-    "result.vtkhdf",
-    "result.vtkhdf.next",
-    "result.vtkhdf.kept",
-    "checkpoint.h5",
-    "checkpoint.h5.new",
-    "checkpoint.previous.h5",
-    "failure.h5",
-    "failure.h5.new",
-    "log.txt",
-    "report.html",
+/// Every file that some run leaves; a folder where one of them is a user's own is not written to.
+constexpr std::array names_of_results = {
+    "case.resolved.toml", "summary.json",   "series.csv",  "breaks.csv",    "result.vtkhdf",
+    "checkpoint.h5",      "log.txt",        "report.html", "failure.h5",    "checkpoint.previous.h5",
+    "histogram.csv",      "modulus.csv",    "curves.csv",  "bootstrap.csv", "histogram_compared.csv",
+    "distribution.csv",   "directions.csv", "fit.csv",     "profile.csv",   "sweep.csv",
+    "places.csv",         "profiles.csv",   "optimum.csv", "layers.vtkhdf", "properties.vtkhdf",
 };
+/// What writers add to the name of a file for a moment.
+constexpr std::array moment_suffixes = {"", ".new", ".next", ".kept"};
 
-// Tables that some studies add; alone they are no result.
-constexpr std::array study_tables = {
-    "histogram.csv",     "histogram_compared.csv",
-    "distribution.csv",  "directions.csv",
-    "modulus.csv",       "fit.csv",
-    "curves.csv",        "profile.csv",
-    "bootstrap.csv",     "sweep.csv",
-    "places.csv",        "profiles.csv",
-    "layers.vtkhdf",     "layers.vtkhdf.new",
-    "properties.vtkhdf", "properties.vtkhdf.next",
-};
+// Where the files of a result wait while another one takes its place, and where they are while they move
+// there.
+constexpr const char* replaced_folder = ".fiberfate-replaced";
+constexpr const char* moving_folder = ".fiberfate-moving";
 
 std::string without_slash(std::string path) {
   while (path.size() > 1 && path.ends_with('/')) path.pop_back();
   return path;
 }
 
-}  // namespace
-
-bool ResultFolder::holds_result() const {
-  return std::any_of(result_files.begin(), result_files.end(),
-                     [this](const char* name) { return fs::exists(file(name)); });
+bool exists(const std::string& path) {
+  return fs::exists(fs::symlink_status(path));
 }
 
-void ResultFolder::remove() const {
-  for (const char* name : result_files) fs::remove(file(name));
-  for (const char* name : study_tables) fs::remove(file(name));
-  if (fs::is_empty(path_)) fs::remove(path_);
-}
-
-ResultFolder ResultFolder::create(const std::string& path, Existing existing) {
-  ResultFolder folder(without_slash(path));
-  if (fs::exists(folder.path_) && !fs::is_directory(folder.path_))
-    throw InputError(folder.path_ + " is a file", "name a folder with --out");
-  if (folder.holds_result()) {
-    if (existing == Existing::refuse)
-      throw InputError(
-          folder.path_ + " already holds a result",
-          "name another folder with --out, continue that run with 'fiberfate resume', or replace it "
-          "with --overwrite");
-    folder.remove();
-  }
+void require_folder(const std::string& path) {
   std::error_code reason;
-  fs::create_directories(folder.path_, reason);
-  if (reason)
-    throw InputError(fmt::format("cannot make the folder {}: {}", folder.path_, reason.message()),
+  const fs::file_status status = fs::status(path, reason);
+  if (status.type() == fs::file_type::none)
+    throw InputError(fmt::format("cannot reach {}: {}", path, reason.message()),
                      "name another folder with --out");
-  return folder;
+  if (fs::exists(status) && !fs::is_directory(status))
+    throw InputError(path + " is a file", "name a folder with --out");
 }
+
+/// Makes a folder and its parents and lists those that were not there, the outermost first.
+std::vector<std::string> make_folders(const std::string& path) {
+  std::vector<std::string> made;
+  for (fs::path one = path; !one.empty() && !exists(one.string()); one = one.parent_path())
+    made.insert(made.begin(), one.string());
+  std::error_code reason;
+  fs::create_directories(path, reason);
+  if (reason)
+    throw InputError(fmt::format("cannot make the folder {}: {}", path, reason.message()),
+                     "name another folder with --out");
+  return made;
+}
+
+/// Moves all that waits in a folder of the result back to its place.
+void move_back(const ResultFolder& folder, const char* waiting) noexcept {
+  std::error_code ignored;  // what cannot be moved stays where it is
+  std::vector<fs::path> entries;
+  for (const auto& entry : fs::directory_iterator(folder.file(waiting), ignored))
+    entries.push_back(entry.path());
+  for (const fs::path& entry : entries) fs::rename(entry, folder.file(entry.filename().string()), ignored);
+  fs::remove(folder.file(waiting), ignored);
+}
+
+/// Finds a file that a run may write and that the program did not make; empty when there is none.
+std::string file_of_a_user(const ResultFolder& folder, const std::set<std::string>& known) {
+  for (const char* name : names_of_results)
+    if (!known.contains(name) && exists(folder.file(name))) return name;
+  return {};
+}
+
+}  // namespace
 
 ResultFolder ResultFolder::open(const std::string& path) {
   ResultFolder folder(without_slash(path));
-  if (!fs::is_directory(folder.path_))
+  std::error_code reason;
+  if (!fs::is_directory(folder.path_, reason))
     throw InputError(folder.path_ + " is not a folder", "name the folder of a result");
-  if (!fs::exists(folder.resolved_case()))
+  if (!fs::exists(folder.resolved_case(), reason))
     throw InputError(folder.path_ + " holds no result: case.resolved.toml is missing",
                      "name the folder that 'fiberfate run' wrote");
   return folder;
+}
+
+OwnedFolder::OwnedFolder(ResultFolder folder, std::vector<std::string> made_folders)
+    : folder_(std::move(folder)), made_folders_(std::move(made_folders)) {}
+
+OwnedFolder::OwnedFolder(OwnedFolder&& other) noexcept
+    : folder_(std::move(other.folder_)),
+      made_folders_(std::move(other.made_folders_)),
+      record_(std::move(other.record_)),
+      earlier_record_(std::move(other.earlier_record_)),
+      stands_(std::exchange(other.stands_, true)) {}
+
+OwnedFolder::~OwnedFolder() {
+  if (!stands_) undo();
+}
+
+OwnedFolder OwnedFolder::create(const std::string& path, Existing existing) {
+  const ResultFolder folder(without_slash(path));
+  require_folder(folder.path());
+  const std::set<std::string> known = recorded_files(folder.path());
+  const std::string foreign = file_of_a_user(folder, known);
+  const bool holds_result = std::any_of(known.begin(), known.end(),
+                                        [&](const std::string& name) { return exists(folder.file(name)); });
+  if (existing == Existing::refuse && (holds_result || exists(folder.resolved_case())))
+    throw InputError(
+        folder.path() + " already holds a result",
+        "name another folder with --out, continue that run with 'fiberfate resume', or replace it "
+        "with --overwrite");
+  if (!foreign.empty())
+    throw InputError(
+        fmt::format("{} is there already, and no record in its folder says that fiberfate made it",
+                    folder.file(foreign)),
+        "name another folder with --out, or move that file away");
+  OwnedFolder owned(folder, make_folders(folder.path()));
+  owned.record_.emplace(folder.path());
+  move_back(folder, moving_folder);
+  if (holds_result) owned.put_aside();
+  return owned;
+}
+
+OwnedFolder OwnedFolder::take(const std::string& path) {
+  OwnedFolder owned(ResultFolder::open(path), {});
+  owned.stands_ = true;
+  owned.record_.emplace(owned.folder_.path());
+  move_back(owned.folder_, moving_folder);
+  const auto begun_with = owned.record_->case_digest();
+  if (begun_with && *begun_with != digest_of(read_file(owned.folder_.resolved_case())))
+    throw InputError(owned.folder_.resolved_case() + " was changed after the run began",
+                     "undo the change; to go on with other values, run a case of your own that starts from "
+                     "this state (cluster.file = \"checkpoint.h5\")");
+  // What an earlier version left is known by its names.
+  if (owned.record_->files().empty())
+    for (const char* name : names_of_results)
+      if (exists(owned.folder_.file(name))) owned.record_->add_file(name);
+  return owned;
+}
+
+void OwnedFolder::put_aside() {
+  earlier_record_ = read_file(folder_.file(folder_record_name));
+  std::set<std::string> names = record_->files();
+  names.insert(replaced_folder);  // of a run that was killed while it replaced a result
+  fs::create_directories(folder_.file(moving_folder));
+  for (const std::string& name : names)
+    if (exists(folder_.file(name)))
+      rename_file(folder_.file(name), folder_.file(moving_folder + ('/' + name)));
+  rename_file(folder_.file(moving_folder), folder_.file(replaced_folder));
+  record_->clear();
+}
+
+std::string OwnedFolder::make(const std::string& name) {
+  if (!record_->files().contains(name) && exists(folder_.file(name)))
+    throw StorageError(folder_.file(name) + " appeared while the run went on, and fiberfate did not make it");
+  record_->add_file(name);
+  return folder_.file(name);
+}
+
+void OwnedFolder::write_case(const std::string& text) {
+  replace_file(make("case.resolved.toml"), text);
+  record_->set_case(digest_of(text));
+}
+
+void OwnedFolder::keep() {
+  stands_ = true;
+  std::error_code ignored;  // a file that cannot be removed harms nobody where it is
+  fs::remove_all(folder_.file(replaced_folder), ignored);
+}
+
+void OwnedFolder::undo() noexcept {
+  if (!record_) return;
+  std::error_code ignored;  // the first error is the one to report
+  for (const std::string& name : record_->files())
+    for (const char* suffix : moment_suffixes) fs::remove(folder_.file(name + suffix), ignored);
+  if (replaces()) {
+    move_back(folder_, replaced_folder);
+    record_->restore(earlier_record_);
+  } else {
+    fs::remove(folder_.file(folder_record_name), ignored);
+  }
+  record_.reset();
+  for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder)
+    if (fs::is_empty(*folder, ignored)) fs::remove(*folder, ignored);
 }
 
 }  // namespace fiberfate

@@ -1,24 +1,22 @@
-// Names the files of a result folder and guards those of an earlier run.
+// The files of a result folder, and how a run comes to own one.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "results/folder_record.hpp"
 #include "results/run_types.hpp"
 
 namespace fiberfate {
 
-/// Stands for the folder in which a run leaves its files (docs/formats/results.md).
+/// The folder in which a run leaves its files (docs/formats/results.md).
 class ResultFolder {
  public:
-  /// Makes a folder for a new run. One that holds a result is refused (InputError), or with
-  /// Existing::overwrite emptied of the files of that result; other files in it are never touched.
-  [[nodiscard]] static ResultFolder create(const std::string& path, Existing existing);
-  /// Opens the folder of an earlier run; raises InputError when it holds none.
+  /// Opens the folder of an earlier run to read it; raises InputError when it holds none.
   [[nodiscard]] static ResultFolder open(const std::string& path);
-
-  /// Removes the files of the result, and the folder where that leaves it empty.
-  void remove() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::string resolved_case() const { return file("case.resolved.toml"); }
@@ -35,9 +33,48 @@ class ResultFolder {
   [[nodiscard]] std::string file(const std::string& name) const { return path_ + '/' + name; }
 
  private:
+  friend class OwnedFolder;
   explicit ResultFolder(std::string path) : path_(std::move(path)) {}
-  [[nodiscard]] bool holds_result() const;
   std::string path_;
+};
+
+/// A result folder to which this process alone writes. Until keep() is called, the end of its life leaves the
+/// disk as it was: files of the run are removed, those of a result that it replaces are put back.
+class OwnedFolder {
+ public:
+  /// Takes a folder for a new run. Raises InputError when it holds a result and `existing` says to refuse,
+  /// when it holds files that the run would write but the program did not make, when another process owns it,
+  /// or when it cannot be made.
+  [[nodiscard]] static OwnedFolder create(const std::string& path, Existing existing);
+  /// Takes the folder of an earlier run to continue it. Raises InputError when it holds none, when another
+  /// process owns it, or when its case was edited after the run began.
+  [[nodiscard]] static OwnedFolder take(const std::string& path);
+  OwnedFolder(OwnedFolder&& other) noexcept;
+  OwnedFolder& operator=(OwnedFolder&&) = delete;
+  ~OwnedFolder();
+
+  [[nodiscard]] const ResultFolder& folder() const { return folder_; }
+  /// Names a file that the run is about to make. Raises StorageError when there is one that the program did
+  /// not make.
+  std::string make(const std::string& name);
+  /// Writes case.resolved.toml and remembers what it is.
+  void write_case(const std::string& text);
+  /// Lets the run's files stand, and those of a result that it replaces where they were put meanwhile.
+  void stand() { stands_ = true; }
+  /// Lets the run's files stand, and removes those of the result that it replaces.
+  void keep();
+  [[nodiscard]] bool replaces() const { return !earlier_record_.empty(); }
+
+ private:
+  OwnedFolder(ResultFolder folder, std::vector<std::string> made_folders);
+  void put_aside();
+  void undo() noexcept;
+
+  ResultFolder folder_;
+  std::vector<std::string> made_folders_;  ///< by this run, the outermost first
+  std::optional<FolderRecord> record_;
+  std::string earlier_record_;  ///< text of the record of the earlier result
+  bool stands_ = false;
 };
 
 }  // namespace fiberfate

@@ -10,9 +10,9 @@
 
 namespace fiberfate {
 
-RunLog::RunLog(const ResultFolder& folder) {
+RunLog::RunLog(const std::string& path) {
   try {
-    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(folder.log());
+    auto sink = std::make_shared<spdlog::sinks::basic_file_sink_st>(path);
     file_ = std::make_shared<spdlog::logger>("run", std::move(sink));
   } catch (const spdlog::spdlog_ex& error) {
     throw StorageError(error.what());

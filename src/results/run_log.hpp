@@ -4,8 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "results/result_folder.hpp"
-
 namespace spdlog {
 class logger;
 }
@@ -16,7 +14,7 @@ namespace fiberfate {
 class RunLog {
  public:
   /// Opens the log, after what it already holds; raises StorageError.
-  explicit RunLog(const ResultFolder& folder);
+  explicit RunLog(const std::string& path);
   ~RunLog();
   void note(const std::string& text);
   void warn(const std::string& text);

@@ -1,0 +1,139 @@
+// The record of a result folder.
+#include "results/folder_record.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <ctime>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "base/error.hpp"
+#include "io/atomic_file.hpp"
+
+namespace fiberfate {
+namespace {
+
+constexpr const char* heading =
+    "# Files that fiberfate made here, and the process that last wrote to them.\n";
+
+struct RecordText {
+  std::set<std::string> files;
+  std::optional<std::uint64_t> case_digest;
+  std::string holder;  ///< of the last "run" line
+};
+
+RecordText parse(const std::string& text) {
+  RecordText parsed;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t space = line.find(' ');
+    if (space == std::string::npos) continue;
+    const std::string word = line.substr(0, space), rest = line.substr(space + 1);
+    if (word == "file") parsed.files.insert(rest);
+    if (word == "run") parsed.holder = rest;
+    std::uint64_t number = 0;
+    if (word == "case" &&
+        std::from_chars(rest.data(), rest.data() + rest.size(), number, 16).ec == std::errc())
+      parsed.case_digest = number;
+  }
+  return parsed;
+}
+
+std::string this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("{} {} {:%Y-%m-%dT%H:%M:%S}", ::getpid(), host.data(),
+                     fmt::localtime(std::time(nullptr)));
+}
+
+[[noreturn]] void refuse_held(const std::string& folder, const std::string& holder) {
+  std::istringstream words(holder);
+  std::string process, host, time;
+  words >> process >> host >> time;
+  throw InputError(process.empty() ? folder + " is being written to by another process"
+                                   : fmt::format("{} is being written to by process {} on {}, since {}",
+                                                 folder, process, host, time),
+                   "wait for it to end or stop it, or name another folder with --out");
+}
+
+}  // namespace
+
+std::set<std::string> recorded_files(const std::string& folder) {
+  const std::string path = folder + '/' + folder_record_name;
+  return std::filesystem::exists(path) ? parse(read_file(path)).files : std::set<std::string>{};
+}
+
+void record_file(const std::string& folder, const std::string& name) {
+  AppendedFile record(folder + '/' + folder_record_name);
+  record.append(fmt::format("file {}\n", name));
+  record.flush();
+}
+
+FolderRecord::FolderRecord(const std::string& folder) : path_(folder + '/' + folder_record_name) {
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (descriptor_ < 0) throw storage_error("cannot create", path_);
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    const bool held = errno == EWOULDBLOCK;
+    const StorageError failure = storage_error("cannot lock", path_);
+    ::close(descriptor_);
+    if (held) refuse_held(folder, parse(read_file(path_)).holder);
+    throw failure;
+  }
+  const std::string text = read_file(path_);
+  is_new_ = text.empty();
+  const RecordText known = parse(text);
+  files_ = known.files;
+  case_digest_ = known.case_digest;
+  if (is_new_) append(heading);
+  append(fmt::format("run {}\n", this_process()));
+}
+
+FolderRecord::FolderRecord(FolderRecord&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      files_(std::move(other.files_)),
+      case_digest_(other.case_digest_),
+      is_new_(other.is_new_) {}
+
+FolderRecord::~FolderRecord() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+void FolderRecord::append(const std::string& line) {
+  const auto size = static_cast<ssize_t>(line.size());
+  if (::write(descriptor_, line.data(), line.size()) != size) throw storage_error("cannot write", path_);
+}
+
+void FolderRecord::add_file(const std::string& name) {
+  if (files_.contains(name)) return;
+  append(fmt::format("file {}\n", name));
+  files_.insert(name);
+}
+
+void FolderRecord::set_case(std::uint64_t digest) {
+  append(fmt::format("case {:016x}\n", digest));
+  case_digest_ = digest;
+}
+
+void FolderRecord::clear() {
+  if (::ftruncate(descriptor_, 0) != 0) throw storage_error("cannot write", path_);
+  files_.clear();
+  case_digest_.reset();
+  append(heading);
+  append(fmt::format("run {}\n", this_process()));
+}
+
+void FolderRecord::restore(const std::string& text) noexcept {
+  if (::ftruncate(descriptor_, 0) != 0) return;
+  [[maybe_unused]] const ssize_t written = ::write(descriptor_, text.data(), text.size());
+}
+
+}  // namespace fiberfate
