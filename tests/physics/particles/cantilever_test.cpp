@@ -3,6 +3,7 @@
 
 #include "base/constants.hpp"
 #include "dynamics/chain_solver.hpp"
+#include "physics/record.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {
@@ -69,9 +70,10 @@ TEST(Cantilever, UnderATipForceConvergesWithSecondOrder) {
     FiberState state = two_cantilevers(n);
     const Vec3 up(0, force, 0);
     settle(state, {{0, 0.0, up}, {2 * n - 1, 1.0, up}, {n, 0.0, -2 * up}});
-    const double expected = theory_under_tip_force(force) * (1 + 0.5 / (n * n));
+    const double expected = 1 + 0.5 / (n * n);
     // What is left is the geometric nonlinearity, of order (deflection / length)² = 1e-8, and round-off.
-    EXPECT_NEAR(tip_deflection(state), expected, 1e-6 * expected) << n << " rods";
+    record("deflection under a force at the tip over that of the beam, " + std::to_string(n) + " rods",
+           expected, tip_deflection(state) / theory_under_tip_force(force), 1e-6 * expected);
   }
 }
 
@@ -92,7 +94,7 @@ TEST(Cantilever, UnderAUniformForceConvergesWithSecondOrder) {
     errors.push_back(tip_deflection(state) / theory_under_uniform_force(density) - 1);
   }
   for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.05);
-  EXPECT_LT(std::abs(errors.back()), 2e-3);
+  record("deflection under a uniform force over that of the beam, 32 rods", 1, 1 + errors.back(), 2e-3);
 }
 
 /// A straight fiber under a uniform force f per length is balanced by uniform drag: it moves sideways with
@@ -106,10 +108,12 @@ TEST(StraightFiber, UnderAUniformForceStaysStraight) {
   for (Index rod = 0; rod < state.rod_count(); ++rod)
     loads.push_back({rod, 0.5, density * state.rod_length[std::size_t(rod)] * Vec3(0.5, 1, 0)});
   const Vec3 theory = density / (3 * pi * scenes::melt_viscosity) * Vec3(0.5, 1, 0);
+  double largest = 0;
   for (const double step : {0.0, 1e-3}) {
     for (const Vec3& velocity : solve(state, loads, step))
-      EXPECT_LT((velocity - theory).norm(), 1e-11 * theory.norm());
+      largest = std::max(largest, (velocity - theory).norm() / theory.norm());
   }
+  record("largest relative error of a node's velocity", 0, largest, 1e-11);
 }
 
 }  // namespace

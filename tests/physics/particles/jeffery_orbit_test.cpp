@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "physics/record.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -23,8 +25,8 @@ TEST_P(JefferyPeriod, OfOneRodOfBeads) {
   Simulation simulation = lone_rod(Vec3::UnitY(), GetParam(), scenes::lone_and_fixed_step(0.02 / rate));
   const auto orbit = jeffery::measure_half_turn(simulation, aspect_ratio);
   const double theory = jeffery::period(aspect_ratio, rate);
-  RecordProperty("relative_error", std::to_string(orbit.period / theory - 1));
-  EXPECT_NEAR(orbit.period, theory, 1e-3 * theory);
+  record("period of a rod of " + std::to_string(int(GetParam())) + " beads (s)", theory, orbit.period,
+         1e-3 * theory);
 }
 INSTANTIATE_TEST_SUITE_P(Beads, JefferyPeriod, testing::Values(5, 10, 20, 50, 100, 400, 800));
 

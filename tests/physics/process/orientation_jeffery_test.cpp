@@ -7,6 +7,7 @@
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
 #include "physics/process/reference_table.hpp"
+#include "physics/record.hpp"
 
 namespace fiberfate {
 namespace {
@@ -61,7 +62,8 @@ TEST(JefferyMotion, ShearTurnsFibersAsTheClosedFormSays) {
     const double xi = shape_factor(r), strain = 0.3 * (r + 1 / r);
     const Mat3 deformation = fiber_deformation(simple_shear_gradient(), xi, strain);
     const Vec3 direction = carried_direction({0, 0, 1}, deformation);
-    EXPECT_NEAR(std::atan2(direction[0], direction[2]), shear_angle(r, strain), 1e-12);
+    record("angle of a fiber of aspect ratio " + std::to_string(int(r)) + " in shear (rad)",
+           shear_angle(r, strain), std::atan2(direction[0], direction[2]), 1e-12);
     EXPECT_NEAR(jeffery_period(r, 2.0), pi * (r + 1 / r), 1e-12);
   }
 }
