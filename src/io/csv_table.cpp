@@ -81,6 +81,12 @@ void CsvWriter::append(std::span<const double> row) {
   ++rows_;
 }
 
+void CsvTable::append(std::span<const double> row) {
+  assert(row.size() == columns.size());
+  values.resize(columns.size());
+  for (std::size_t i = 0; i < row.size(); ++i) values[i].push_back(row[i]);
+}
+
 const std::vector<double>& CsvTable::column(const std::string& name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) throw StorageError("a table has no column " + name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,12 +35,15 @@ class CsvWriter {
   AppendedFile file_;
 };
 
-/// Holds a table in memory.
+/// A table in memory.
 struct CsvTable {
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> values;  ///< one list a column
+  std::vector<std::string> columns = {};
+  std::vector<std::vector<double>> values = std::vector<std::vector<double>>(columns.size());  ///< by column
 
   [[nodiscard]] std::size_t rows() const { return values.empty() ? 0 : values.front().size(); }
+  /// Adds a row with one number a column.
+  void append(std::span<const double> row);
+  void append(std::initializer_list<double> row) { append(std::span(row.begin(), row.size())); }
   /// Finds a column; raises StorageError when there is none of that name.
   [[nodiscard]] const std::vector<double>& column(const std::string& name) const;
 };

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "keys/key_table.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -69,6 +71,13 @@ void CaseChecker::error_in_row(const std::string& key, std::string_view name, co
   std::size_t row = 0;
   while (rows != nullptr && row < rows->size() && !begins_with(name, (*rows)[row])) ++row;
   error_in_row(key, row, complaint, remedy);
+}
+
+void CaseChecker::require(const std::string& key, const std::string& why, const std::string& example) {
+  if (is_given(key)) return;
+  const auto dot = key.rfind('.');
+  error(key, "not given; " + why,
+        fmt::format("add {} = {} under {}", key.substr(dot + 1), example, table_heading(key.substr(0, dot))));
 }
 
 void CaseChecker::warn(const std::string& key, const std::string& complaint, const std::string& remedy) {

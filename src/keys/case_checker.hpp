@@ -44,6 +44,8 @@ class CaseChecker {
   /// Reports an error at the row that begins with a name; at the key where none does.
   void error_in_row(const std::string& key, std::string_view name, const std::string& complaint,
                     const std::string& remedy);
+  /// Demands a key; says why, and shows an example of its value.
+  void require(const std::string& key, const std::string& why, const std::string& example);
   /// Reports something odd that does not stop the run.
   void warn(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Warns of each of these keys that is given, although with the other choices nothing reads it; `reader`

@@ -105,26 +105,6 @@ const LawMenu& orientation_menu() {
   return menu;
 }
 
-void describe_name(KeyTable& table, const std::string& key, std::string& member,
-                   std::vector<std::pair<std::string, std::string>> choices, KeyNotes notes) {
-  const auto read = [&member, choices](const TomlValue& value) -> std::vector<Complaint> {
-    const auto* text = std::get_if<std::string>(&value.data);
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    if (text != nullptr && std::find(names.begin(), names.end(), *text) != names.end()) {
-      member = *text;
-      return {};
-    }
-    const std::string near = text == nullptr ? std::string() : nearest_word(*text, names);
-    const std::string all = fmt::format("{}", fmt::join(names, ", "));
-    return {{"not one of the choices",
-             near.empty() ? "give one of " + all
-                          : fmt::format("did you mean \"{}\"? The choices are {}", near, all)}};
-  };
-  const auto write = [&member](NumberStyle) { return member.empty() ? std::string() : write_text(member); };
-  table.add({key, std::move(notes), "choice", std::move(choices), read, write});
-}
-
 void describe_law(KeyTable& table, const LawMenu& menu, const LawTable& where, LawChoice& choice) {
   table.section(where.section, where.text);
   std::vector<std::pair<std::string, std::string>> names;

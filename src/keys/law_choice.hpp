@@ -9,6 +9,7 @@
 #include "continuum/law_parameter.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/key_table.hpp"
+#include "keys/text_keys.hpp"
 
 namespace fiberfate {
 
@@ -49,9 +50,5 @@ void validate_law(const LawMenu& menu, const std::string& section, const LawChoi
 [[nodiscard]] const LawMenuItem* chosen_law(const LawMenu& menu, const LawChoice& choice);
 /// Gives the values of the chosen law's parameters, in its order, standard values where the case gives none.
 [[nodiscard]] std::vector<double> law_values(const LawMenu& menu, const LawChoice& choice);
-
-/// Adds a key that holds one of several names, listed with their meanings. An empty name is "not given".
-void describe_name(KeyTable& table, const std::string& key, std::string& member,
-                   std::vector<std::pair<std::string, std::string>> choices, KeyNotes notes);
 
 }  // namespace fiberfate

@@ -3,8 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
+
+#include "base/error.hpp"
+#include "microstructure/closure.hpp"
 
 namespace fiberfate {
 namespace {
@@ -29,6 +33,32 @@ std::string written(const Texts& texts) {
 }
 
 }  // namespace
+
+void describe_name(KeyTable& table, const std::string& key, std::string& member, NamedTexts choices,
+                   KeyNotes notes) {
+  const auto read = [&member, choices](const TomlValue& value) -> std::vector<Complaint> {
+    const auto* text = std::get_if<std::string>(&value.data);
+    std::vector<std::string> names;
+    for (const auto& choice : choices) names.push_back(choice.first);
+    if (text != nullptr && std::find(names.begin(), names.end(), *text) != names.end()) {
+      member = *text;
+      return {};
+    }
+    const std::string near = text == nullptr ? std::string() : nearest_word(*text, names);
+    const std::string all = fmt::format("{}", fmt::join(names, ", "));
+    return {{"not one of the choices",
+             near.empty() ? "give one of " + all
+                          : fmt::format("did you mean \"{}\"? The choices are {}", near, all)}};
+  };
+  const auto write = [&member](NumberStyle) { return member.empty() ? std::string() : write_text(member); };
+  table.add({key, std::move(notes), "choice", std::move(choices), read, write});
+}
+
+NamedTexts closure_names() {
+  NamedTexts names;
+  for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
+  return names;
+}
 
 void describe_text(KeyTable& table, const std::string& key, std::string& member, const std::string& kind,
                    KeyNotes notes) {

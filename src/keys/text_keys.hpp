@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "keys/key_table.hpp"
@@ -9,6 +10,14 @@
 namespace fiberfate {
 
 using Texts = std::vector<std::string>;
+/// Names that a key may hold, each with its meaning.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+
+/// Adds a key that holds one of several names. An empty name is "not given".
+void describe_name(KeyTable& table, const std::string& key, std::string& member, NamedTexts choices,
+                   KeyNotes notes);
+/// The closures of A4 with their meanings, for such a key.
+[[nodiscard]] NamedTexts closure_names();
 
 /// Adds a key that holds one text; `kind` says for explanations what it is ("name", "column"). An empty text
 /// is "not given".

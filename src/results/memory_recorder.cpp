@@ -9,9 +9,7 @@ namespace {
 class MemoryRows final : public RowSink {
  public:
   explicit MemoryRows(std::shared_ptr<CsvTable> table) : table_(std::move(table)) {}
-  void append(std::span<const double> row) override {
-    for (std::size_t i = 0; i < row.size(); ++i) table_->values[i].push_back(row[i]);
-  }
+  void append(std::span<const double> row) override { table_->append(row); }
   void flush() override {}
   void sync() override {}
   [[nodiscard]] std::int64_t rows() const override { return static_cast<std::int64_t>(table_->rows()); }
@@ -41,8 +39,7 @@ std::unique_ptr<RowSink> MemoryRecorder::open_rows(const std::string& name,
                                                    const std::vector<std::string>& columns,
                                                    std::int64_t kept) {
   require_nothing_kept(name, kept);
-  const auto table = std::make_shared<CsvTable>(CsvTable{columns, {}});
-  table->values.resize(columns.size());
+  const auto table = std::make_shared<CsvTable>(CsvTable{columns});
   tables_[name] = table;
   return std::make_unique<MemoryRows>(table);
 }

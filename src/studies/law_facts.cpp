@@ -1,4 +1,4 @@
-// Lists a chosen law and its parameters for a report.
+// A chosen law and its parameters, for a report and for summary.json.
 #include "studies/law_facts.hpp"
 
 namespace fiberfate {
@@ -14,6 +14,14 @@ std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const
         {parameter.name, values[i], parameter.unit == "1" ? "" : parameter.unit, parameter.meaning});
   }
   return facts;
+}
+
+void append_law(RunSummary& summary, const LawKeys& keys, const LawMenu& menu, const LawChoice& choice) {
+  summary.own.emplace_back(keys.prefix + keys.name, choice.name);
+  const LawMenuItem& law = *chosen_law(menu, choice);
+  const std::vector<double> values = law_values(menu, choice);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    summary.own.emplace_back(keys.prefix + law.parameters[i].name, values[i]);
 }
 
 }  // namespace fiberfate

@@ -1,4 +1,4 @@
-// Lists a chosen law and its parameters for a report.
+// A chosen law and its parameters, for a report and for summary.json.
 #pragma once
 
 #include <string>
@@ -6,11 +6,19 @@
 
 #include "keys/law_choice.hpp"
 #include "results/report_document.hpp"
+#include "results/summary.hpp"
 
 namespace fiberfate {
 
 /// Lists the chosen law and its parameters; nothing where no law is chosen.
 [[nodiscard]] std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label,
                                           const LawChoice& choice);
+
+/// The keys under which a law stands in summary.json: prefix + name, and prefix + each parameter.
+struct LawKeys {
+  std::string prefix, name;
+};
+/// Adds the chosen law and the values of its parameters.
+void append_law(RunSummary& summary, const LawKeys& keys, const LawMenu& menu, const LawChoice& choice);
 
 }  // namespace fiberfate

@@ -24,6 +24,10 @@ ALLOWED = {
 ALLOWED["studies"] = set(ALLOWED)
 ALLOWED["app"] = set(ALLOWED)
 
+# What a room of studies/ may include, besides itself and what lies in studies/ itself: fibers come from sample, and
+# a calibration may fill molds. Nothing else of another study.
+ROOMS = {"cluster": {"sample"}, "shear_cell": {"sample"}, "calibration": {"molding"}}
+
 LONGEST_FILE = 400
 LONGEST_FUNCTION = 60
 FORBIDDEN_NAMES = re.compile(r"^(utils?|common|helpers?|misc|core|manager|info)$")
@@ -48,6 +52,47 @@ def check_includes(path, module, lines):
             yield number, f"{module} must not include {match.group(1)}"
         if match.group(1) == "mpi.h" and module != "base" and not path.stem.endswith("exchange"):
             yield number, "MPI belongs to base and to the exchange of dynamics"
+
+
+def check_rooms(parts, lines):
+    """Checks what a file of studies/ includes of studies/; parts are those of its path below src/."""
+    room = parts[1] if len(parts) > 2 else ""
+    for number, line in enumerate(lines, 1):
+        match = INCLUDE.match(line)
+        target = match.group(1).split("/") if match else []
+        if len(target) < 3 or target[0] != "studies" or target[1] in {room} | ROOMS.get(room, set()):
+            continue
+        yield number, f"{'/'.join(parts[:2]) if room else 'studies/ itself'} must not include {match.group(1)}"
+
+
+def cycles(includes):
+    """Yields every circle of files that include each other."""
+    done, way = set(), []
+
+    def visit(file):
+        if file in way:
+            yield way[way.index(file):] + [file]
+            return
+        if file in done:
+            return
+        way.append(file)
+        for target in sorted(includes.get(file, ())):
+            yield from visit(target)
+        done.add(way.pop())
+
+    for file in sorted(includes):
+        yield from visit(file)
+
+
+def check_one_way(root):
+    """Checks that headers inside a module include each other one way."""
+    includes = {}
+    for path in sorted((root / "src").rglob("*.hpp")):
+        file = path.relative_to(root / "src").as_posix()
+        matches = [INCLUDE.match(line) for line in path.read_text().splitlines()]
+        includes[file] = {match.group(1) for match in matches if match and (root / "src" / match.group(1)).exists()}
+    for circle in cycles(includes):
+        yield root / "src" / circle[0], 1, "includes run in a circle: " + " -> ".join(circle)
 
 
 def check_opening(path, lines):
@@ -128,10 +173,13 @@ def violations(root):
         lines = path.read_text().splitlines()
         found = list(check_opening(path, lines)) + list(check_lengths(lines))
         if path.is_relative_to(root / "src"):
-            found += check_includes(path, path.relative_to(root / "src").parts[0], lines)
+            parts = path.relative_to(root / "src").parts
+            found += check_includes(path, parts[0], lines)
+            found += check_rooms(parts, lines) if parts[0] == "studies" else []
         yield from ((path, number, what) for number, what in found)
     yield from check_names(root)
     yield from check_targets(root)
+    yield from check_one_way(root)
 
 
 def main():

@@ -114,13 +114,13 @@ std::string apply_radius(const Translation& deck) {
 
 std::string apply_boundary(const Translation& deck) {
   const bool periodic = *deck.namelist.truth("periodic_boundary");
-  deck.values().boundary_y = periodic ? Boundary::periodic : Boundary::walls;
+  deck.values().boundary.y = periodic ? Boundary::periodic : Boundary::walls;
   return periodic ? "boundary.y = \"periodic\"" : "boundary.y = \"walls\"";
 }
 
 std::string apply_box(const Translation& deck) {
   const std::vector<double> size = *deck.namelist.numbers("box_size", 3);
-  deck.values().sample.cell_size = Vec3(size.data());
+  deck.values().sample.cell.size = Vec3(size.data());
   return fmt::format("cell.size = [{}, {}, {}]", size[0], size[1], size[2]);
 }
 

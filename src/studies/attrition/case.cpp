@@ -4,34 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "continuum/length_registry.hpp"
 #include "keys/time_rows.hpp"
-#include "microstructure/length_distribution.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr double default_rows = 200;
-constexpr double most_rows = 1e6;
-/// Classes of equal number that stand for a Weibull distribution.
-constexpr std::size_t weibull_classes = 1000;
-
-bool needs_bins(const LawChoice& law) {
-  return law.name == "phelps" || law.name == "durin";
-}
-
 void validate_flow(const AttritionFlowChoices& flow, CaseChecker& checker) {
-  const auto require = [&checker](const std::string& key, const std::string& remedy) {
-    if (!checker.is_given(key)) checker.error(key, "not given; this kind of flow needs it", remedy);
-  };
+  const std::string why = "this kind of flow needs it";
   if (flow.kind == AttritionFlow::constant)
-    require("flow.rate", "add rate = \"18.326 1/s\" under [flow]");
+    checker.require("flow.rate", why, "\"18.326 1/s\"");
   else
     checker.warn_unused({"flow.rate"}, "flow.kind = \"constant\"");
   if (flow.kind == AttritionFlow::couette)
-    require("flow.speed", "add speed = 50 under [flow]");
+    checker.require("flow.speed", why, "50");
   else
     checker.warn_unused(
         {"flow.speed", "flow.inner_radius", "flow.outer_radius", "flow.rate_at", "flow.power_law_index"},
@@ -43,14 +30,14 @@ void validate_flow(const AttritionFlowChoices& flow, CaseChecker& checker) {
     checker.warn_unused({"flow.table", "flow.form"}, "flow.kind = \"table\"");
     return;
   }
-  require("flow.table", "add rows [time, rate, temperature, pressure] under [flow]");
+  checker.require("flow.table", why, "[[time, rate, temperature, pressure], ...]");
   checker.warn_unused({"flow.temperature", "flow.pressure"}, "flow.kind = \"constant\" or \"couette\"");
   check_times_of_rows("flow.table", flow.table, checker);
 }
 
 void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
-  const AttritionFiberChoices& fibers = values.fibers;
-  const bool means = fibers.number_average || fibers.weight_average;
+  const LengthChoices& fibers = values.fibers;
+  const bool means = gives_means(fibers);
   const int given = (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
   if (given != 1)
     checker.error("fibers.length",
@@ -72,28 +59,16 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
 }
 
 void validate_output(const AttritionCase& values, CaseChecker& checker) {
-  if (values.duration <= 0) return;
-  const double interval = values.output.interval.value_or(values.duration / default_rows);
-  if (values.duration / interval > most_rows)
-    checker.error("output.interval", fmt::format("makes {:.3g} rows", values.duration / interval),
-                  fmt::format("give at least {:.3g} s", values.duration / most_rows));
+  if (values.run.duration <= 0) return;
+  validate_series(values.run, values.output, checker);
   for (const double time : values.output.histogram_times)
-    if (time > values.duration)
+    if (time > values.run.duration)
       checker.error("output.histogram_times",
                     fmt::format("{:.6g} s comes after the end, {}", time, checker.cite("run.duration")),
                     "give times up to run.duration");
 }
 
 }  // namespace
-
-void validate_mean_lengths(const AttritionFiberChoices& fibers, CaseChecker& checker) {
-  if (!(fibers.number_average && fibers.weight_average))
-    checker.error(fibers.number_average ? "fibers.weight_average" : "fibers.number_average", "not given",
-                  "give both mean lengths");
-  else if (!(*fibers.number_average < *fibers.weight_average))
-    checker.error("fibers.number_average", "not less than " + checker.cite("fibers.weight_average"),
-                  "L_N is less than L_W; for equal lengths give fibers.length");
-}
 
 void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
   validate_law(attrition_menu(), "law", values.law, checker);
@@ -137,37 +112,8 @@ LengthHistory length_history(const AttritionFlowChoices& flow) {
   return LengthHistory::constant({rate, flow.temperature, flow.pressure});
 }
 
-LengthStart length_start(const AttritionFiberChoices& fibers) {
-  LengthStart start;
-  start.form = fibers.form;
-  start.weight = fibers.weight;
-  start.bins = {static_cast<std::size_t>(fibers.bins), fibers.largest_length.value_or(0)};
-  if (fibers.length) {
-    start.initial = {{*fibers.length}, {1}};
-  } else if (fibers.number_average) {
-    start.means = MeanLengths{*fibers.number_average, *fibers.weight_average};
-    start.initial.lengths =
-        sample_lengths(WeibullLengths{*fibers.number_average, *fibers.weight_average}, {weibull_classes});
-    start.initial.numbers.assign(weibull_classes, 1.0);
-  }
-  for (const std::vector<double>& row : fibers.distribution) {
-    start.initial.lengths.push_back(row[0]);
-    start.initial.numbers.push_back(row[1]);
-  }
-  return start;
-}
-
 std::vector<double> output_times(const AttritionCase& values) {
-  const double interval = values.output.interval.value_or(values.duration / default_rows);
-  std::vector<double> times = values.output.histogram_times;
-  const double count = std::floor(values.duration / interval * (1 + 1e-12));
-  for (double i = 0; i <= count; ++i) times.push_back(std::min(i * interval, values.duration));
-  times.push_back(values.duration);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end(),
-                          [interval](double a, double b) { return b - a < 1e-9 * interval; }),
-              times.end());
-  return times;
+  return series_times(values.run, values.output, values.output.histogram_times);
 }
 
 }  // namespace fiberfate

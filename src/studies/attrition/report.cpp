@@ -1,12 +1,10 @@
-// Builds the report of the study attrition from the files of its result folder.
+// The report of the study attrition from the files of its result folder.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
+#include "results/result_folder.hpp"
+#include "studies/attrition/observables.hpp"
 #include "studies/attrition/run.hpp"
 #include "studies/law_facts.hpp"
-#include "studies/sample/fiber_sections.hpp"
 
 namespace fiberfate {
 namespace {
@@ -20,7 +18,7 @@ FactsSection asked(const AttritionCase& values) {
   append(law_facts(viscosity_menu(), "Viscosity of the melt", values.melt));
   if (values.flow.kind == AttritionFlow::couette)
     section.rows.push_back({"Couette rheometer", values.flow.speed.value_or(0), "rpm"});
-  section.rows.push_back({"Duration", values.duration, "s"});
+  section.rows.push_back({"Duration", values.run.duration, "s"});
   return section;
 }
 
@@ -38,19 +36,6 @@ FactsSection came_out(const SummaryFile& summary) {
       {"Shear stress", summary.number("shear_stress_Pa"), "Pa", "at the end"},
       {"Fibers at the end for each at the start", summary.number("fiber_growth")},
       {"Relative change of the total fiber length", summary.number("total_length_change")}};
-  return section;
-}
-
-LinesSection lengths_section(const AttritionCase& values, const CsvTable& series) {
-  std::vector<Curve> curves = {{"L_N_m", "L_N"}, {"L_W_m", "L_W"}};
-  curves.push_back({"unbreakable_length_m", "unbreakable", CurveStyle::dashed});
-  LinesSection section =
-      lines_over_time("mean_lengths", "Mean fiber lengths", {"length", "m"}, series, curves);
-  if (values.compared.name.empty()) return section;
-  section.series.push_back(
-      {"L_N, " + values.compared.name, series.column("compared_L_N_m"), CurveStyle::dashed});
-  section.series.push_back(
-      {"L_W, " + values.compared.name, series.column("compared_L_W_m"), CurveStyle::dashed});
   return section;
 }
 
@@ -77,13 +62,13 @@ ReportDocument report_attrition(const AttritionCase& values, const ResultFolder&
   ReportDocument document;
   document.title = "Fiber attrition";
   const SummaryFile summary(folder.summary());
-  const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(summary));
-  document.sections.emplace_back(lengths_section(values, series));
-  document.sections.emplace_back(
-      lines_over_time("stress", "Shear stress", {"stress", "Pa"}, series, {{"shear_stress_Pa", "stress"}}));
+  for (LinesSection& chart :
+       draw(length_charts(), joined<LengthMoment>({length_observables(), compared_observables(values)}),
+            read_csv(folder.series())))
+    document.sections.emplace_back(std::move(chart));
   const CsvTable histogram = read_csv(folder.file("histogram.csv"));
   if (histogram.rows() > 0) document.sections.emplace_back(histogram_section(histogram));
   return document;

@@ -71,20 +71,20 @@ void validate_conditions(const CalibrationCase& values, CaseChecker& checker) {
     if (flow != "shear" && flow != "planar" && flow != "uniaxial" && flow != "biaxial")
       checker.error("conditions.flows", fmt::format("there is no flow '{}'", flow),
                     "give shear, planar, uniaxial or biaxial");
-  if (values.fibers.form == LengthForm::means && (values.law.name == "phelps" || values.law.name == "durin"))
+  if (values.fibers.form == LengthForm::means && needs_bins(values.law))
     checker.error("fibers.form", "phelps and durin follow distributions only",
                   "take form = \"distribution\"");
 }
 
 void validate_lengths(const CalibrationCase& values, CaseChecker& checker) {
-  const AttritionFiberChoices& fibers = values.fibers;
+  const LengthChoices& fibers = values.fibers;
   if (calibrates_orientation(values)) {
     checker.warn_unused(
         {"conditions.lengths", "fibers.distribution", "fibers.number_average", "fibers.weight_average"},
         "an attrition law");
     return;
   }
-  const bool means = fibers.number_average || fibers.weight_average;
+  const bool means = gives_means(fibers);
   const int given =
       (values.conditions.lengths.empty() ? 0 : 1) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
   if (given != 1)

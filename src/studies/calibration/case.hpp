@@ -1,27 +1,27 @@
-// Holds a case of the study calibration: a law, the conditions of experiments, and what was measured in them.
+// A case of the study calibration: a law, the conditions of experiments, and what was measured in them.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
 #include "keys/law_choice.hpp"
-#include "studies/attrition/case.hpp"
+#include "studies/flow_choices.hpp"
+#include "studies/length_choices.hpp"
 #include "studies/molding/case.hpp"
-#include "studies/orientation/case.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
 
-/// Holds [conditions]: lists with one entry a condition, or one for all.
+/// [conditions]: lists with one entry a condition, or one for all.
 struct CalibrationConditions {
   std::vector<std::string> names;
   std::vector<double> rates;   ///< 1/s
   std::vector<double> speeds;  ///< revolutions per minute, instead of rates
-  CouetteRheometer couette = {0.021, 0.027};
+  CouetteRheometer couette = thesis_rheometer;
   std::vector<double> viscosities;                 ///< Pa s, instead of [melt]
   std::vector<double> temperatures;                ///< K, for [melt]
   std::vector<double> pressures;                   ///< Pa, for [melt]
@@ -33,17 +33,17 @@ struct CalibrationConditions {
   Mat3 orientation = Mat3::Identity() / 3;  ///< A2 at the start
 };
 
-/// Chooses whether conditions share their parameters.
+/// Whether conditions share their parameters.
 enum class FitScope { together, separately };
 
-/// Holds what was measured of one mean length at one place of a molded part.
+/// What was measured of one mean length at one place of a molded part.
 struct MoldedLengths {
   std::string condition, place;
   MeasuredMean mean = MeasuredMean::number_average;
   std::vector<double> samples;  ///< m
 };
 
-/// Holds [data].
+/// [data].
 struct CalibrationData {
   std::vector<std::vector<std::string>> series;  ///< rows (condition, quantity, file or value[, time])
   std::vector<MoldedLengths> lengths;
@@ -52,10 +52,10 @@ struct CalibrationData {
   NoiseScale noise = NoiseScale::estimated;
 };
 
-/// Chooses whether intervals are found by profiles, too.
+/// Whether intervals are found by profiles, too.
 enum class ProfileChoice { all, none };
 
-/// Holds [fit].
+/// [fit].
 struct CalibrationSearch {
   std::vector<std::string> free;
   std::vector<std::string> linear;               ///< free parameters searched by value, not logarithm
@@ -68,7 +68,7 @@ struct CalibrationSearch {
   std::int64_t seed = 1;
 };
 
-/// Holds [sweep]; no parameter: none.
+/// [sweep]; no parameter: none.
 struct CalibrationSweep {
   std::string parameter;
   std::optional<double> lower, upper;  ///< in the SI unit of the parameter
@@ -81,7 +81,7 @@ struct CalibrationCase {
   LawChoice orientation;  ///< or orientation
   std::string closure = "ibof";
   LawChoice melt = {"newtonian", {}};
-  AttritionFiberChoices fibers;  ///< lengths at the start of every condition, and how they are followed
+  LengthChoices fibers;  ///< lengths at the start of every condition, and how they are followed
   CalibrationConditions conditions;
   CalibrationData data;
   CalibrationSearch search;
@@ -89,9 +89,9 @@ struct CalibrationCase {
 };
 
 void describe_calibration(KeyTable& table, CalibrationCase& values);
-/// Adds the keys that are about molded parts.
-void describe_moldings(KeyTable& table, CalibrationConditions& conditions);
-void describe_molded_lengths(KeyTable& table, CalibrationData& data);
+/// Adds the keys that are about molded parts: conditions.moldings and data.lengths.
+void describe_moldings(KeyTable& table, const std::string& key, CalibrationConditions& conditions);
+void describe_molded_lengths(KeyTable& table, const std::string& key, CalibrationData& data);
 /// Checks what belongs to calibration in molds only.
 void validate_moldings(const CalibrationCase& values, CaseChecker& checker);
 /// Adds to an estimate what its moldings need.
@@ -106,6 +106,14 @@ void validate_calibration(const CalibrationCase& values, CaseChecker& checker);
 /// Tells whether the conditions are moldings: parts that fill.
 [[nodiscard]] inline bool calibrates_in_molds(const CalibrationCase& values) {
   return !values.conditions.moldings.empty();
+}
+/// The entry of a list of [conditions] for one condition: its own, or the one for all; the standard where
+/// the list is not given.
+template <class Entry>
+[[nodiscard]] Entry entry(const std::vector<Entry>& list, std::size_t condition,
+                          const std::type_identity_t<Entry>& standard = {}) {
+  if (list.empty()) return standard;
+  return list.size() == 1 ? list[0] : list[condition];
 }
 /// Gives the menu and the choice of the law that the case calibrates.
 [[nodiscard]] const LawMenu& calibrated_menu(const CalibrationCase& values);

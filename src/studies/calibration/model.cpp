@@ -37,11 +37,6 @@ struct Slot {
   std::size_t begin;  ///< of its predictions
 };
 
-double entry(const std::vector<double>& list, std::size_t condition, double standard) {
-  if (list.empty()) return standard;
-  return list.size() == 1 ? list[0] : list[condition];
-}
-
 Mat3 gradient_of(const std::string& flow, ShearGradient shear) {
   if (flow == "planar") return planar_elongation_gradient();
   if (flow == "uniaxial") return uniaxial_elongation_gradient();
@@ -56,12 +51,11 @@ std::vector<Condition> make_conditions(const CalibrationCase& values,
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     Condition& one = conditions[i];
     one.flow = condition_flow(values, i);
-    AttritionFiberChoices fibers = values.fibers;
+    LengthChoices fibers = values.fibers;
     if (!given.lengths.empty() || calibrates_orientation(values))
       fibers.length = entry(given.lengths, i, 1e-3);
     one.start = length_start(fibers);
-    const std::string flow = given.flows.empty() ? "shear" : given.flows[given.flows.size() == 1 ? 0 : i];
-    one.gradient = one.flow.rate * gradient_of(flow, given.shear_gradient);
+    one.gradient = one.flow.rate * gradient_of(entry(given.flows, i, "shear"), given.shear_gradient);
     one.orientation = given.orientation;
   }
   for (const MeasuredSeries& one : series) {

@@ -1,4 +1,4 @@
-// Describes and checks the keys of the study calibration that are about molded parts.
+// The keys of the study calibration that are about molded parts, and their checks.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -117,7 +117,7 @@ void validate_molding_of(const CalibrationCase& values, std::size_t condition, C
   if (!fibers.length && fibers.distribution.empty() && !fibers.number_average)
     checker.error("conditions.lengths", fmt::format("no length at the gates of '{}' is given", name),
                   "give lengths here or under [fibers] of the molding");
-  if (fibers.number_average && (values.law.name == "phelps" || values.law.name == "durin"))
+  if (fibers.number_average && needs_bins(values.law))
     checker.error("law.name",
                   fmt::format("{} follows distributions, but '{}' has mean lengths", values.law.name, name),
                   "give a distribution or a length under [fibers] of the molding");
@@ -136,9 +136,9 @@ void validate_molding_of(const CalibrationCase& values, std::size_t condition, C
 
 }  // namespace
 
-void describe_moldings(KeyTable& table, CalibrationConditions& conditions) {
+void describe_moldings(KeyTable& table, const std::string& key, CalibrationConditions& conditions) {
   describe_text_rows(
-      table, "conditions.moldings",
+      table, key,
       {.text =
            "For lengths measured in molded parts: rows [case file of the study molding, change, ...] "
            "instead of rates; changes are names of variants or \"key=value\". [law] stands for the case's "
@@ -160,9 +160,9 @@ void describe_moldings(KeyTable& table, CalibrationConditions& conditions) {
        }});
 }
 
-void describe_molded_lengths(KeyTable& table, CalibrationData& data) {
+void describe_molded_lengths(KeyTable& table, const std::string& key, CalibrationData& data) {
   describe_text_rows(
-      table, "data.lengths",
+      table, key,
       {.text = "Mean lengths measured in molded parts, rows [condition, place, \"L_N\" or \"L_W\", length, "
                "...] with the lengths of as many samples as there are; the place is one of output.places of "
                "the molding.",

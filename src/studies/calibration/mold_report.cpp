@@ -1,4 +1,4 @@
-// Builds the sections of a calibration report that are about molded parts.
+// The sections of a calibration report that are about molded parts.
 #include "studies/calibration/mold_report.hpp"
 
 #include <fmt/format.h>
@@ -7,17 +7,10 @@
 #include <array>
 #include <numeric>
 
+#include "studies/calibration/fits.hpp"
+
 namespace fiberfate {
 namespace {
-
-/// Tells the numbers of a column in the rows of one fit and series.
-std::vector<double> pick(const CsvTable& table, double fit, std::size_t series, const std::string& column) {
-  std::vector<double> picked;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    if (table.values[0][i] == fit && table.values[1][i] == static_cast<double>(series))
-      picked.push_back(table.column(column)[i]);
-  return picked;
-}
 
 /// Lists the places of a condition in the order in which they are measured.
 std::vector<std::string> places_of(const std::vector<MeasuredSeries>& measured, std::size_t condition) {
@@ -47,13 +40,14 @@ LinesSection lengths_section(const CalibrationCase& values, const std::vector<Me
     ReportSeries predicted{label + ", fitted", {}}, samples{label + ", measured", {}, CurveStyle::points};
     for (std::size_t s = 0; s < measured.size(); ++s) {
       if (measured[s].condition != condition || measured[s].observed != observed) continue;
+      const auto number = static_cast<double>(s);
       const auto place = std::find(places.begin(), places.end(), measured[s].place);
       const auto x = static_cast<double>(1 + (place - places.begin()));
       predicted.x.push_back(x);
-      append(predicted.values, pick(rows.curves, rows.number, s, "predicted"));
-      append(predicted.low, pick(rows.curves, rows.number, s, "observation_low"));
-      append(predicted.high, pick(rows.curves, rows.number, s, "observation_high"));
-      append(samples.values, pick(rows.fit, rows.number, s, "observed"));
+      append(predicted.values, pick(rows.curves, rows.number, number, "predicted"));
+      append(predicted.low, pick(rows.curves, rows.number, number, "observation_low"));
+      append(predicted.high, pick(rows.curves, rows.number, number, "observation_high"));
+      append(samples.values, pick(rows.fit, rows.number, number, "observed"));
       samples.x.resize(samples.values.size(), x);
     }
     if (predicted.values.empty()) continue;

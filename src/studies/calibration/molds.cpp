@@ -144,13 +144,12 @@ void MoldPredictor::predict(std::span<const double> parameters, std::span<double
 }  // namespace
 
 MoldingCase molding_of(const CalibrationCase& values, std::size_t condition) {
-  const auto& rows = values.conditions.moldings;
-  MoldingCase molding = read_molding(rows[rows.size() == 1 ? 0 : condition]);
+  MoldingCase molding = read_molding(entry(values.conditions.moldings, condition));
   const std::vector<double>& lengths = values.conditions.lengths;
   if (lengths.empty()) return molding;
   molding.fibers.distribution.clear();
   molding.fibers.number_average = molding.fibers.weight_average = std::nullopt;
-  molding.fibers.length = lengths[lengths.size() == 1 ? 0 : condition];
+  molding.fibers.length = entry(lengths, condition);
   return molding;
 }
 
@@ -166,12 +165,7 @@ double inlet_length(const CalibrationCase& values, std::size_t condition) {
   if (molding.fibers.distribution.empty()) {
     means = {molding.fibers.number_average.value_or(0), molding.fibers.weight_average.value_or(0)};
   } else {
-    LengthClasses classes;
-    for (const std::vector<double>& row : molding.fibers.distribution) {
-      classes.lengths.push_back(row[0]);
-      classes.numbers.push_back(row[1]);
-    }
-    means = mean_lengths(classes);
+    means = mean_lengths(length_classes(molding.fibers.distribution));
   }
   return weight ? means.weight_average : means.number_average;
 }

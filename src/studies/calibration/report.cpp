@@ -1,47 +1,20 @@
-// Builds the report of the study calibration from the files of its result folder.
+// The report of the study calibration from the files of its result folder.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "io/csv_table.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
-#include "studies/calibration/data.hpp"
+#include "studies/calibration/fits.hpp"
 #include "studies/calibration/mold_report.hpp"
 #include "studies/calibration/run.hpp"
 #include "studies/law_facts.hpp"
 
 namespace fiberfate {
 namespace {
-
-/// Names one fit of the run: its number in the tables, the prefix of its keys, its heading.
-struct FitName {
-  double number;
-  std::string prefix, heading;
-};
-
-std::vector<FitName> fit_names(const CalibrationCase& values) {
-  if (values.search.scope == FitScope::together) return {{0, "", ""}};
-  std::vector<FitName> names;
-  for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
-    std::string key;
-    for (const char letter : values.conditions.names[i])
-      key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-    names.push_back({static_cast<double>(i), key + "_", ", " + values.conditions.names[i]});
-  }
-  return names;
-}
-
-/// Picks the values of a column in rows where the two leading columns have these numbers.
-std::vector<double> pick(const CsvTable& table, double fit, double second, const std::string& column) {
-  std::vector<double> picked;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    if (table.values[0][i] == fit && table.values[1][i] == second) picked.push_back(table.column(column)[i]);
-  return picked;
-}
 
 FactsSection asked(const CalibrationCase& values) {
   FactsSection section{"asked", "Inputs", law_facts(calibrated_menu(values), "Law", calibrated_law(values))};
@@ -51,7 +24,7 @@ FactsSection asked(const CalibrationCase& values) {
     section.rows.push_back({row[0] + ": " + row[1], std::filesystem::path(row[2]).filename().string()});
   const auto& moldings = values.conditions.moldings;
   for (std::size_t i = 0; i < values.conditions.names.size() && !moldings.empty(); ++i) {
-    std::vector<std::string> row = moldings[moldings.size() == 1 ? 0 : i];
+    std::vector<std::string> row = entry(moldings, i);
     row[0] = std::filesystem::path(row[0]).filename().string();
     section.rows.push_back({values.conditions.names[i], fmt::format("{}", fmt::join(row, ", "))});
   }
@@ -216,9 +189,7 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
   append_optima(values, folder, document.sections);
   append_sweep(values, folder, summary, document.sections);
   for (const FitName& name : fit_names(values)) {
-    std::vector<MeasuredSeries> measured;
-    for (const MeasuredSeries& one : all)
-      if (name.prefix.empty() || static_cast<double>(one.condition) == name.number) measured.push_back(one);
+    const std::vector<MeasuredSeries> measured = series_of(name, all);
     if (measured.empty()) continue;
     document.sections.emplace_back(estimates(values, summary, name));
     document.sections.emplace_back(quality(summary, name));

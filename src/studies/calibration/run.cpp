@@ -1,20 +1,19 @@
-// Runs the study calibration: fits, profiles, bootstraps, sweeps, and writes what came out.
+// Runs the study calibration: fits, profiles, bootstraps and sweeps.
 #include "studies/calibration/run.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
 
+#include "base/error.hpp"
 #include "calibration/bootstrap.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/prediction_band.hpp"
 #include "calibration/profile.hpp"
 #include "calibration/sweep.hpp"
-#include "io/csv_table.hpp"
-#include "studies/calibration/data.hpp"
+#include "studies/calibration/fits.hpp"
 #include "studies/calibration/model.hpp"
 #include "studies/calibration/molds.hpp"
 
@@ -23,41 +22,26 @@ namespace {
 
 constexpr std::size_t curve_points = 101;
 
-void append_row(CsvTable& table, std::initializer_list<double> row) {
-  table.values.resize(table.columns.size());
-  std::size_t column = 0;
-  for (const double value : row) table.values[column++].push_back(value);
-}
-
-/// Holds the tables of a run, which several fits fill.
+/// The tables of a run, which several fits fill.
 struct Tables {
-  CsvTable fit = {{"fit", "series", "time_s", "observed", "uncertainty", "predicted"}, {}};
-  CsvTable curves = {{"fit", "series", "time_s", "predicted", "curve_low", "curve_high", "observation_low",
-                      "observation_high"},
-                     {}};
-  CsvTable profile = {{"fit", "parameter", "value", "chi_square", "limit"}, {}};
-  CsvTable bootstrap = {{"fit", "parameter", "value"}, {}};
-  CsvTable sweep = {{"fit", "value", "average_error_percent"}, {}};
-  CsvTable optimum = {{"fit", "coupled", "length_m", "aspect_ratio", "best_value", "best_error_percent",
-                       "fitted", "lower", "upper"},
-                      {}};
+  CsvTable fit{{"fit", "series", "time_s", "observed", "uncertainty", "predicted"}};
+  CsvTable curves{{"fit", "series", "time_s", "predicted", "curve_low", "curve_high", "observation_low",
+                   "observation_high"}};
+  CsvTable profile{{"fit", "parameter", "value", "chi_square", "limit"}};
+  CsvTable bootstrap{{"fit", "parameter", "value"}};
+  CsvTable sweep{{"fit", "value", "average_error_percent"}};
+  CsvTable optimum{{"fit", "coupled", "length_m", "aspect_ratio", "best_value", "best_error_percent",
+                    "fitted", "lower", "upper"}};
 };
-
-/// Makes a name fit for a key: "50 rpm" becomes "50_rpm".
-std::string key_of(const std::string& name) {
-  std::string key;
-  for (const char letter : name) key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-  return key;
-}
 
 /// One fit of the run: all series, or those of one condition.
 class OneFit {
  public:
-  OneFit(const CalibrationCase& values, std::vector<MeasuredSeries> series, std::string prefix, double number)
+  OneFit(const CalibrationCase& values, const FitName& name, std::vector<MeasuredSeries> series)
       : values_(values),
         series_(std::move(series)),
-        prefix_(std::move(prefix)),
-        number_(number),
+        prefix_(name.prefix),
+        number_(name.number),
         problem_(pose_calibration(values, series_)) {}
 
   /// Shows that the run is alive and lets it be stopped, where a prediction is a filling; elsewhere a fit
@@ -144,8 +128,8 @@ class OneFit {
     std::size_t at = 0;
     for (std::size_t s = 0; s < series_.size(); ++s)
       for (std::size_t i = 0; i < series_[s].values.size(); ++i, ++at)
-        append_row(table, {number_, static_cast<double>(s), series_[s].times[i], series_[s].values[i],
-                           series_[s].deviations[i], result_.predictions[at]});
+        table.append({number_, static_cast<double>(s), series_[s].times[i], series_[s].values[i],
+                      series_[s].deviations[i], result_.predictions[at]});
   }
 
   /// Writes the predictions of moldings with their bands, one a place and mean.
@@ -154,8 +138,8 @@ class OneFit {
     for (const MeasuredSeries& one : series_) request.uncertainty.push_back(one.deviations.front());
     const PredictionBand band = predict_with_band(problem_, result_, request, values_.search.level);
     for (std::size_t s = 0; s < series_.size(); ++s)
-      append_row(table, {number_, static_cast<double>(s), 0, band.predicted[s], band.curve[s].lower,
-                         band.curve[s].upper, band.observation[s].lower, band.observation[s].upper});
+      table.append({number_, static_cast<double>(s), 0, band.predicted[s], band.curve[s].lower,
+                    band.curve[s].upper, band.observation[s].lower, band.observation[s].upper});
   }
 
   void append_curves(CsvTable& table) const {
@@ -172,9 +156,9 @@ class OneFit {
     std::size_t at = 0;
     for (std::size_t s = 0; s < fine.size(); ++s)
       for (std::size_t i = 0; i < fine[s].values.size(); ++i, ++at)
-        append_row(table, {number_, static_cast<double>(s), fine[s].times[i], band.predicted[at],
-                           band.curve[at].lower, band.curve[at].upper, band.observation[at].lower,
-                           band.observation[at].upper});
+        table.append({number_, static_cast<double>(s), fine[s].times[i], band.predicted[at],
+                      band.curve[at].lower, band.curve[at].upper, band.observation[at].lower,
+                      band.observation[at].upper});
   }
 
   void append_profiles(const FitOptions& options, CsvTable& table, RunSummary& summary) const {
@@ -186,8 +170,8 @@ class OneFit {
       add(summary, problem_.parameters[parameter].name + "_profile_lower", found.interval.lower);
       add(summary, problem_.parameters[parameter].name + "_profile_upper", found.interval.upper);
       for (std::size_t i = 0; i < found.values.size(); ++i)
-        append_row(table, {number_, static_cast<double>(parameter), found.values[i], found.chi_squares[i],
-                           found.limit});
+        table.append(
+            {number_, static_cast<double>(parameter), found.values[i], found.chi_squares[i], found.limit});
     }
   }
 
@@ -205,7 +189,7 @@ class OneFit {
       add(summary, name + "_bootstrap_lower", samples.intervals[i].lower);
       add(summary, name + "_bootstrap_upper", samples.intervals[i].upper);
       for (const double value : samples.values[i])
-        append_row(table, {number_, static_cast<double>(free[i]), value});
+        table.append({number_, static_cast<double>(free[i]), value});
     }
     add(summary, "bootstrap_failed", static_cast<std::int64_t>(samples.failed));
   }
@@ -225,7 +209,7 @@ class OneFit {
     add(summary, "sweep_best_value", found.best_value);
     add(summary, "sweep_best_error_percent", found.best_error);
     for (std::size_t i = 0; i < found.values.size(); ++i)
-      append_row(tables.sweep, {number_, found.values[i], found.errors[i]});
+      tables.sweep.append({number_, found.values[i], found.errors[i]});
     if (molds) append_optimum(found, request.parameter, tables.optimum);
   }
 
@@ -237,9 +221,9 @@ class OneFit {
     const MoldingCase molding = molding_of(values_, condition);
     const double length = inlet_length(values_, condition);
     const ParameterEstimate& estimate = result_.parameters[parameter];
-    append_row(table, {number_, molding.fibers.coupling == CouplingChoice::none ? 0.0 : 1.0, length,
-                       length / molding.fibers.diameter, found.best_value, found.best_error, estimate.value,
-                       estimate.interval.lower, estimate.interval.upper});
+    table.append({number_, molding.fibers.coupling == CouplingChoice::none ? 0.0 : 1.0, length,
+                  length / molding.fibers.diameter, found.best_value, found.best_error, estimate.value,
+                  estimate.interval.lower, estimate.interval.upper});
   }
 
   const CalibrationCase& values_;
@@ -249,13 +233,6 @@ class OneFit {
   FitProblem problem_;
   FitResult result_;
 };
-
-std::vector<MeasuredSeries> series_of(const std::vector<MeasuredSeries>& all, std::size_t condition) {
-  std::vector<MeasuredSeries> some;
-  for (const MeasuredSeries& one : all)
-    if (one.condition == condition) some.push_back(one);
-  return some;
-}
 
 std::vector<NamedTable> named(Tables tables) {
   std::vector<NamedTable> all = {{"fit", std::move(tables.fit)}, {"curves", std::move(tables.curves)}};
@@ -271,25 +248,24 @@ std::vector<NamedTable> named(Tables tables) {
 }  // namespace
 
 Outcome compute_calibration(const CalibrationCase& values, Session& session) {
-  session.use_threads(0);
+  // Fillings use threads; what is fitted at a point is too small to share.
+  if (session.options().threads && !calibrates_in_molds(values))
+    throw InputError(
+        {{"", 0, 0, "--threads", "", "a calibration without conditions.moldings runs on one thread",
+          "leave --threads out"}});
+  session.use_threads(calibrates_in_molds(values) ? 0 : 1);
   Outcome outcome;
   RunSummary& summary = outcome.summary;
   summary.seed = static_cast<std::uint64_t>(values.search.seed);
   summary.own.emplace_back("law", calibrated_law(values).name);
   const std::vector<MeasuredSeries> series = read_measurements(values);
   Tables tables;
-  const auto run_fit = [&](OneFit fit) {
+  for (const FitName& name : fit_names(values)) {
+    std::vector<MeasuredSeries> some = series_of(name, series);
+    if (some.empty()) continue;
+    OneFit fit(values, name, std::move(some));
     fit.show_in(session);
     fit.run(tables, summary, session.recorder());
-  };
-  if (values.search.scope == FitScope::together) {
-    run_fit(OneFit(values, series, "", 0));
-  } else {
-    for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
-      const std::vector<MeasuredSeries> some = series_of(series, i);
-      if (some.empty()) continue;
-      run_fit(OneFit(values, some, key_of(values.conditions.names[i]) + "_", static_cast<double>(i)));
-    }
   }
   session.end_progress();
   outcome.tables = named(std::move(tables));

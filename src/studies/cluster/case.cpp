@@ -12,22 +12,21 @@ constexpr double packing_seconds_a_rod = 1e-3;
 }  // namespace
 
 void describe_cluster(KeyTable& table, ClusterCase& values) {
-  table.section("run", "With which random numbers, on how many threads.");
-  table.count(
-      "run.seed", values.seed,
-      {.text = "Seed of all random numbers: the same seed gives the same result on any number of threads.",
-       .range = Range::not_negative()});
-  table.count("run.threads", values.threads,
-              {.text = "Threads; 0 for as many as the machine has.", .range = Range::between(0, 4096)});
+  const Choices<Boundary> ends = {{Boundary::periodic, "periodic", "the cell repeats"},
+                                  {Boundary::walls, "walls", "solid walls at y = 0 and at the far side"}};
+  const KeyGroup<RunChoices> run = {
+      "run", "With which random numbers, on how many threads.", {seed_key(), threads_key()}};
+  const KeyGroup<BoundaryChoices> boundary = {
+      "boundary",
+      "How the cell ends.",
+      {key("y", &BoundaryChoices::y, ends, "How the cell ends along y; in x and z it is periodic.")}};
+  const KeyGroup<ContactParameters> contact = {
+      "contact", "The contact law under which the packing comes to rest: the one that will be run.",
+      contact_law_rows()};
+  describe(table, run, values.run);
   describe_sample(table, values.sample);
-  table.section("boundary", "How the cell ends.");
-  table.choice("boundary.y", values.boundary_y,
-               {{Boundary::periodic, "periodic", "the cell repeats"},
-                {Boundary::walls, "walls", "solid walls at y = 0 and at the far side"}},
-               {.text = "How the cell ends along y; in x and z it is periodic."});
-  table.section("contact",
-                "The contact law under which the packing comes to rest: the one that will be run.");
-  describe_contact_law(table, values.contact);
+  describe(table, boundary, values.boundary);
+  describe(table, contact, values.contact);
   describe_relaxation(table, values.relaxation);
 }
 
@@ -44,7 +43,7 @@ void validate_cluster(const ClusterCase& values, CaseChecker& checker) {
 }
 
 CaseEstimate estimate_cluster(const ClusterCase& values) {
-  const auto plan = plan_sample(values.sample, values.seed);
+  const auto plan = plan_sample(values.sample, values.run.seed);
   CaseEstimate estimate = estimate_sample(values.sample, plan);
   if (plan) estimate.wall_seconds = packing_seconds_a_rod * static_cast<double>(plan->rods);
   estimate.assumption = "1 ms a rod, one thread";

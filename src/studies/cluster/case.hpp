@@ -1,10 +1,8 @@
-// Holds a case of the study cluster: fibers packed with a wanted orientation and relaxed.
+// A case of the study cluster: fibers packed with a wanted orientation and relaxed.
 #pragma once
 
-#include <cstdint>
-
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "studies/run_choices.hpp"
 #include "studies/sample/case.hpp"
 #include "studies/sample/relaxation.hpp"
 #include "studies/study.hpp"
@@ -13,11 +11,10 @@ namespace fiberfate {
 
 struct ClusterCase {
   SampleCase sample;
-  Boundary boundary_y = Boundary::periodic;
+  BoundaryChoices boundary;
   ContactParameters contact;  ///< under which the packing comes to rest, and relaxes
   RelaxationChoices relaxation;
-  std::uint64_t seed = 1;  ///< run.seed
-  int threads = 0;         ///< run.threads; 0: all that the machine has
+  RunChoices run;  ///< seed and threads
 };
 
 void describe_cluster(KeyTable& table, ClusterCase& values);

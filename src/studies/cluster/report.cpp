@@ -17,7 +17,7 @@ FactsSection asked(const ClusterCase& values) {
       {"Weight of curvature", values.sample.cluster.weights.curvature, "", "against overlap"});
   section.rows.push_back(
       {"Weight of orientation", values.sample.cluster.weights.orientation, "", "against overlap"});
-  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.seed)});
+  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});
   return section;
 }
 
@@ -64,7 +64,7 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
   if (sample.fibers.weight_fraction)
     add("Weight fraction", percent(*sample.fibers.weight_fraction),
         percent(weight_from_volume_fraction(summary.number("volume_fraction"), mean_density(species(sample)),
-                                            sample.matrix_density.value_or(0))));
+                                            sample.matrix.density.value_or(0))));
   if (sample.fibers.volume_fraction)
     add("Volume fraction", percent(*sample.fibers.volume_fraction),
         percent(summary.number("volume_fraction")));

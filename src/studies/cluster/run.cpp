@@ -122,7 +122,7 @@ void measure_again(Cluster& cluster) {
 
 Cluster make_cluster(const ClusterCase& values, const Session& session) {
   StartingFibers fibers =
-      make_fibers(values.sample, {values.contact, values.boundary_y, values.seed}, session);
+      make_fibers(values.sample, {values.contact, values.boundary.y, values.run.seed}, session);
   Cluster cluster;
   cluster.state = std::move(fibers.state);
   cluster.packing =
@@ -150,7 +150,7 @@ Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   Outcome outcome;
   RunSummary& summary = outcome.summary;
   describe_fibers(summary, cluster.state);
-  summary.seed = values.seed;
+  summary.seed = values.run.seed;
   summary.max_overlap = 2 * cluster.packing.largest_overlap;
   summary.own = own_values(cluster.state, cluster.packing);
   append_lengths(summary.own, values.sample, cluster.state);
@@ -181,7 +181,7 @@ void tell(const Cluster& cluster, Recorder& log) {
 
 Outcome compute_cluster(const ClusterCase& values, Session& session) {
   if (session.continues()) throw NoOutcome{StopReason::done, "the packing is complete already"};
-  session.use_threads(values.threads);
+  session.use_threads(values.run.threads);
   Recorder& recorder = session.recorder();
   recorder.note("packing");
   try {

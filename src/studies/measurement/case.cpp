@@ -137,7 +137,7 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
     rows += static_cast<double>(directions);
   }
   estimate.memory_bytes = 1e7 + 100 * rows;
-  estimate.wall_seconds = 5e-8 * rows * static_cast<double>(values.resamples);
+  estimate.wall_seconds = 5e-8 * rows * static_cast<double>(values.statistics.resamples);
   estimate.assumption = "50 ns a row and bootstrap sample";
   return estimate;
 }

@@ -1,4 +1,4 @@
-// Holds a case of the study measurement: lists of measured fibers, and how they stand for the whole.
+// A case of the study measurement: lists of measured fibers, and how they stand for the whole.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,6 @@
 #include <string>
 
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
 #include "keys/text_keys.hpp"
 #include "microstructure/length_statistics.hpp"
 #include "microstructure/orientation_statistics.hpp"
@@ -14,7 +13,7 @@
 
 namespace fiberfate {
 
-/// Holds [lengths].
+/// [lengths].
 struct MeasuredLengthChoices {
   std::string file;                       ///< CSV; empty: no lengths were measured
   std::string column;                     ///< empty: the first
@@ -25,12 +24,12 @@ struct MeasuredLengthChoices {
   std::optional<double> bin_width;  ///< m, instead of a number of bins
 };
 
-/// Names how the file tells directions.
+/// How the file tells directions.
 enum class DirectionForm { angles, vectors };
-/// Names the unit of angles.
+/// The unit of angles.
 enum class AngleUnit { degrees, radians };
 
-/// Holds [orientation].
+/// [orientation].
 struct MeasuredDirectionChoices {
   std::string file;  ///< CSV; empty: no directions were measured
   DirectionForm form = DirectionForm::angles;
@@ -41,12 +40,17 @@ struct MeasuredDirectionChoices {
   std::optional<double> aspect_ratio;  ///< of the fibers, with cut_normal
 };
 
-struct MeasurementCase {
-  MeasuredLengthChoices lengths;
-  MeasuredDirectionChoices orientation;
+/// [statistics].
+struct StatisticsChoices {
   double level = 0.95;            ///< confidence of the intervals
   std::int64_t resamples = 2000;  ///< of the bootstrap
   std::int64_t seed = 1;
+};
+
+struct MeasurementCase {
+  MeasuredLengthChoices lengths;
+  MeasuredDirectionChoices orientation;
+  StatisticsChoices statistics;
 };
 
 void describe_measurement(KeyTable& table, MeasurementCase& values);

@@ -32,8 +32,8 @@ FactsSection asked(const MeasurementCase& values) {
                               fmt::format("normal ({})", fmt::join(*values.orientation.cut_normal, ", ")), "",
                               "fibers along the normal are likelier to be met, and count less"});
   }
-  section.rows.push_back({"Confidence of the intervals", 100 * values.level, "%",
-                          fmt::format("{} bootstrap samples", values.resamples)});
+  section.rows.push_back({"Confidence of the intervals", 100 * values.statistics.level, "%",
+                          fmt::format("{} bootstrap samples", values.statistics.resamples)});
   return section;
 }
 

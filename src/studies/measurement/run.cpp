@@ -35,14 +35,10 @@ CsvTable histogram_table(const MeasuredLengthChoices& choices, const MeasuredLen
   const LengthShares raw = length_shares(measured, shares.edges);
   const std::vector<double> deviations = share_deviations(fibers, shares);
   CsvTable table{{"length_low_m", "length_high_m", "number_share", "number_share_sd", "length_share",
-                  "uncorrected_number_share"},
-                 {}};
-  table.values = {{shares.edges.begin(), shares.edges.end() - 1},
-                  {shares.edges.begin() + 1, shares.edges.end()},
-                  shares.by_number,
-                  deviations,
-                  shares.by_length,
-                  raw.by_number};
+                  "uncorrected_number_share"}};
+  for (std::size_t k = 0; k + 1 < shares.edges.size(); ++k)
+    table.append({shares.edges[k], shares.edges[k + 1], shares.by_number[k], deviations[k],
+                  shares.by_length[k], raw.by_number[k]});
   return table;
 }
 
@@ -60,8 +56,9 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome) {
   const MeasuredLengths fibers = values.lengths.sample_diameter
                                      ? corrected_for_sampling(measured, *values.lengths.sample_diameter)
                                      : measured;
-  const LengthIntervals intervals = bootstrap_mean_lengths(
-      fibers, values.level, static_cast<int>(values.resamples), static_cast<std::uint64_t>(values.seed));
+  const LengthIntervals intervals =
+      bootstrap_mean_lengths(fibers, values.statistics.level, static_cast<int>(values.statistics.resamples),
+                             static_cast<std::uint64_t>(values.statistics.seed));
   summary.number_average = intervals.number_average.estimate;
   summary.weight_average = intervals.weight_average.estimate;
   summary.own.emplace_back("measured_lengths", static_cast<std::int64_t>(measured.lengths.size()));
@@ -91,20 +88,19 @@ CsvTable pole_figure(const MeasuredDirections& fibers) {
     density[static_cast<std::size_t>(height * azimuth_bins + azimuth)] += weight;
     sum += weight;
   }
-  CsvTable table{{"phi_deg", "cos_theta", "density"}, std::vector<std::vector<double>>(3)};
-  for (int k = 0; k < azimuth_bins * height_bins; ++k) {
-    table.values[0].push_back((k % azimuth_bins + 0.5) * 360.0 / azimuth_bins);
-    table.values[1].push_back((k / azimuth_bins + 0.5) / height_bins);
-    table.values[2].push_back(density[static_cast<std::size_t>(k)] * azimuth_bins * height_bins / sum);
-  }
+  CsvTable table{{"phi_deg", "cos_theta", "density"}};
+  for (int k = 0; k < azimuth_bins * height_bins; ++k)
+    table.append({(k % azimuth_bins + 0.5) * 360.0 / azimuth_bins, (k / azimuth_bins + 0.5) / height_bins,
+                  density[static_cast<std::size_t>(k)] * azimuth_bins * height_bins / sum});
   return table;
 }
 
 void evaluate_directions(const MeasurementCase& values, Outcome& outcome) {
   RunSummary& summary = outcome.summary;
   const MeasuredDirections fibers = read_directions(values.orientation);
-  const OrientationInterval interval = bootstrap_second_moment(
-      fibers, values.level, static_cast<int>(values.resamples), static_cast<std::uint64_t>(values.seed));
+  const OrientationInterval interval =
+      bootstrap_second_moment(fibers, values.statistics.level, static_cast<int>(values.statistics.resamples),
+                              static_cast<std::uint64_t>(values.statistics.seed));
   summary.orientation = interval.estimate;
   summary.own.emplace_back("measured_directions", static_cast<std::int64_t>(fibers.directions.size()));
   summary.own.emplace_back("A2_lower", interval.lower);
@@ -121,7 +117,7 @@ void evaluate_directions(const MeasurementCase& values, Outcome& outcome) {
 Outcome compute_measurement(const MeasurementCase& values, Session& session) {
   Outcome outcome;
   RunSummary& summary = outcome.summary;
-  summary.seed = static_cast<std::uint64_t>(values.seed);
+  summary.seed = static_cast<std::uint64_t>(values.statistics.seed);
   if (!values.lengths.file.empty()) {
     evaluate_lengths(values, outcome);
     session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * *summary.number_average,

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "calibration/fit_problem.hpp"
+#include "continuum/attrition_law.hpp"
 #include "continuum/homogenisation.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/key_table.hpp"
 #include "keys/law_choice.hpp"
 #include "keys/text_rows.hpp"
 #include "molding/filling_params.hpp"
-#include "studies/attrition/case.hpp"
 #include "studies/molding/part.hpp"
 #include "studies/study.hpp"
 

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/csv_table.hpp"
+#include "results/result_folder.hpp"
+#include "results/summary.hpp"
 #include "studies/law_facts.hpp"
 #include "studies/molding/run.hpp"
 #include "studies/molding/sections.hpp"
-#include "studies/sample/fiber_sections.hpp"
 
 namespace fiberfate {
 namespace {
@@ -138,8 +140,12 @@ ReportDocument report_molding(const MoldingCase& values, const ResultFolder& fol
   document.sections.emplace_back(std::move(pressures));
   document.sections.emplace_back(
       gate_section("rate", "Flow rates", {"flow rate", "cm^3/s"}, "_rate_m3_per_s", series));
-  document.sections.emplace_back(lines_over_time("filled", "Filled share of the cavity", {"filled"}, series,
-                                                 {{"filled_fraction", "filled"}}));
+  document.sections.emplace_back(LinesSection{"filled",
+                                              "Filled share of the cavity",
+                                              {"time", "s"},
+                                              {"filled"},
+                                              series.column("time_s"),
+                                              {{"filled", series.column("filled_fraction")}}});
   add_tables(values, folder, document.sections);
   document.sections.emplace_back(effort(summary));
   return document;

@@ -16,8 +16,6 @@
 namespace fiberfate {
 namespace {
 
-constexpr double default_rows = 200;
-constexpr double most_rows = 1e6;
 /// Intervals into which a ramp between two rows of the table is cut; the error falls with its square.
 constexpr int ramp_pieces = 16;
 
@@ -69,27 +67,25 @@ Mat3 constant_gradient(const OrientationFlowChoices& flow) {
 }
 
 void validate_flow(const OrientationFlowChoices& flow, CaseChecker& checker) {
-  const auto require = [&checker](const std::string& key, const std::string& remedy) {
-    if (!checker.is_given(key)) checker.error(key, "not given; this kind of flow needs it", remedy);
-  };
+  const std::string why = "this kind of flow needs it";
   const bool of_rate = flow.kind != OrientationFlow::gradient && flow.kind != OrientationFlow::table;
   if (of_rate)
-    require("flow.rate", "add rate = \"1 1/s\" under [flow]");
+    checker.require("flow.rate", why, "\"1 1/s\"");
   else
     checker.warn_unused({"flow.rate", "flow.shear_gradient"}, "the other kinds of flow");
   if (flow.kind == OrientationFlow::mixed)
-    require("flow.elongation_rate", "add elongation_rate = \"0.1 1/s\" under [flow]");
+    checker.require("flow.elongation_rate", why, "\"0.1 1/s\"");
   else
     checker.warn_unused({"flow.elongation_rate"}, "flow.kind = \"mixed\"");
   if (flow.kind == OrientationFlow::gradient) {
-    require("flow.gradient", "add one row of nine numbers under [flow]");
+    checker.require("flow.gradient", why, "[[L11, L12, ... L33]]");
     if (flow.gradient.size() > 1)
       checker.error("flow.gradient", "more than one row", "for several gradients take kind = \"table\"");
   } else {
     checker.warn_unused({"flow.gradient"}, "flow.kind = \"gradient\"");
   }
   if (flow.kind == OrientationFlow::table) {
-    require("flow.table", "add rows of time and nine numbers under [flow]");
+    checker.require("flow.table", why, "[[time, L11, L12, ... L33], ...]");
     check_times_of_rows("flow.table", flow.table, checker);
   } else {
     checker.warn_unused({"flow.table", "flow.form"}, "flow.kind = \"table\"");
@@ -159,9 +155,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   validate_law(retardation_menu(), "retardation", values.retardation, checker);
   validate_flow(values.flow, checker);
   validate_stress(values, checker);
-  if (values.duration > 0 && values.interval && values.duration / *values.interval > most_rows)
-    checker.error("output.interval", fmt::format("makes {:.3g} rows", values.duration / *values.interval),
-                  fmt::format("give at least {:.3g} s", values.duration / most_rows));
+  validate_series(values.run, values.output, checker);
   if (values.solution.distribution == DistributionChoice::yes) {
     if (values.solution.degree % 2 != 0)
       checker.error("solution.degree", "not even", "fibers have no head and tail: take an even degree");
@@ -181,15 +175,15 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
 
 CaseEstimate estimate_orientation(const OrientationCase& values) {
   const Mat3 gradient = gradient_history(values.flow).at(0);
-  const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
-  const double rate = std::sqrt(2 * double_dot(strain_rate, strain_rate));
+  const double rate = rate_of(gradient);
   const Mat3 diffusion = rotary_diffusion(orientation_model(values), values.fibers.orientation, gradient);
   CaseEstimate estimate;
-  estimate.facts = {{"rate at the start", fmt::format("{:.6g} 1/s", rate)},
-                    {"strain, if it stayed so", fmt::format("{:.6g}", rate * values.duration)},
-                    {"equivalent C_I at the start", fmt::format("{:.6g}", diffusion.trace() / 3)},
-                    {"rows of series.csv", fmt::format("{}", output_times(values).size())}};
-  const double steps = 20 * std::max(1.0, rate * values.duration);
+  estimate.facts = {
+      {"rate at the start", fmt::format("{:.6g} 1/s", rate)},
+      {"strain, if it stayed so", fmt::format("{:.6g}", rate * values.run.duration)},
+      {"equivalent C_I at the start", fmt::format("{:.6g}", diffusion.trace() / 3)},
+      {"rows of series.csv", fmt::format("{}", series_times(values.run, values.output).size())}};
+  const double steps = 20 * std::max(1.0, rate * values.run.duration);
   const bool distribution = values.solution.distribution == DistributionChoice::yes;
   const double coefficients = 0.5 * std::pow(static_cast<double>(values.solution.degree), 2);
   estimate.memory_bytes = 1e7 + (distribution ? 2e3 * coefficients : 0);
@@ -198,10 +192,9 @@ CaseEstimate estimate_orientation(const OrientationCase& values) {
   return estimate;
 }
 
-Mat3 shear_gradient(ShearGradient direction, double rate) {
-  Mat3 gradient = Mat3::Zero();
-  gradient(0, direction == ShearGradient::y ? 1 : 2) = rate;
-  return gradient;
+double rate_of(const Mat3& gradient) {
+  const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
+  return std::sqrt(2 * double_dot(strain_rate, strain_rate));
 }
 
 double fiber_term(const OrientationFiberChoices& fibers) {
@@ -235,15 +228,6 @@ GradientHistory gradient_history(const OrientationFlowChoices& flow) {
     intervals.push_back(
         {i + 1 < times.size() ? times[i + 1] : std::numeric_limits<double>::infinity(), gradients[i]});
   return GradientHistory(std::move(intervals));
-}
-
-std::vector<double> output_times(const OrientationCase& values) {
-  const double interval = values.interval.value_or(values.duration / default_rows);
-  std::vector<double> times;
-  const double count = std::floor(values.duration / interval * (1 + 1e-12));
-  for (double i = 0; i <= count; ++i) times.push_back(std::min(i * interval, values.duration));
-  if (values.duration - times.back() > 1e-9 * interval) times.push_back(values.duration);
-  return times;
 }
 
 }  // namespace fiberfate

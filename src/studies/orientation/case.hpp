@@ -1,4 +1,4 @@
-// Holds a case of the study orientation: fibers that turn in a homogeneous flow history.
+// A case of the study orientation: fibers that turn in a homogeneous flow history.
 #pragma once
 
 #include <optional>
@@ -7,25 +7,23 @@
 
 #include "continuum/orientation_history.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
 #include "keys/law_choice.hpp"
+#include "studies/flow_choices.hpp"
+#include "studies/run_choices.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
 
-/// Names what the flow is.
+/// What the flow is.
 enum class OrientationFlow { shear, planar, uniaxial, biaxial, mixed, gradient, table };
 
-/// Names the direction along which the velocity of a simple shear varies.
-enum class ShearGradient { y, z };
-
-/// Says whether the distribution function is solved beside the tensor equation.
+/// Whether the distribution function is solved beside the tensor equation.
 enum class DistributionChoice { no, yes };
 
-/// Says what happens between the rows of a table of gradients.
+/// What happens between the rows of a table of gradients.
 enum class GradientForm { steps, ramps };
 
-/// Holds [flow].
+/// [flow].
 struct OrientationFlowChoices {
   OrientationFlow kind = OrientationFlow::shear;
   std::optional<double> rate;  ///< sqrt(2 D:D) of shear or elongation, 1/s
@@ -39,7 +37,7 @@ struct OrientationFlowChoices {
   double pressure = 0;          ///< Pa, for [melt]
 };
 
-/// Holds [fibers].
+/// [fibers].
 struct OrientationFiberChoices {
   Mat3 orientation = Mat3::Identity() / 3;
   std::optional<double> aspect_ratio;     ///< not given: slender
@@ -49,7 +47,7 @@ struct OrientationFiberChoices {
   std::optional<double> trouton_term;     ///< R of the informed viscosity (2.11); not given: the fiber term
 };
 
-/// Holds [solution].
+/// [solution].
 struct OrientationSolutionChoices {
   std::string closure = "ibof";
   double tolerance = 1e-8;
@@ -64,12 +62,10 @@ struct OrientationCase {
   OrientationFlowChoices flow;
   OrientationFiberChoices fibers;
   OrientationSolutionChoices solution;
-  double duration = 0;             ///< s
-  std::optional<double> interval;  ///< s between rows of series.csv; not given: duration/200
+  RunChoices run;  ///< duration
+  SeriesChoices output;
 };
 
-/// Adds the key that says along which direction the velocity of a shear varies; calibration has it too.
-void describe_shear_gradient(KeyTable& table, const std::string& section, ShearGradient& gradient);
 void describe_orientation(KeyTable& table, OrientationCase& values);
 void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_orientation(const OrientationCase& values);
@@ -78,16 +74,13 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 [[nodiscard]] const LawMenu& diffusion_menu();
 [[nodiscard]] const LawMenu& retardation_menu();
 
+/// The scalar rate sqrt(2 D:D) of a velocity gradient, 1/s.
+[[nodiscard]] double rate_of(const Mat3& gradient);
 /// Tells phi N_p: as given, or of semi-dilute fibers of the given volume fraction and aspect ratio.
 [[nodiscard]] double fiber_term(const OrientationFiberChoices& fibers);
-
-/// Makes the gradient of simple shear along x, 1/s.
-[[nodiscard]] Mat3 shear_gradient(ShearGradient direction, double rate);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] OrientationModel orientation_model(const OrientationCase& values);
 [[nodiscard]] GradientHistory gradient_history(const OrientationFlowChoices& flow);
-/// Tells the times of series.csv, s: multiples of the interval, and the end.
-[[nodiscard]] std::vector<double> output_times(const OrientationCase& values);
 
 }  // namespace fiberfate

@@ -1,8 +1,8 @@
-// Builds the report of the study orientation from the files of its result folder.
-
+// The report of the study orientation from the files of its result folder.
+#include "results/result_folder.hpp"
 #include "studies/law_facts.hpp"
+#include "studies/orientation/observables.hpp"
 #include "studies/orientation/run.hpp"
-#include "studies/sample/fiber_sections.hpp"
 
 namespace fiberfate {
 namespace {
@@ -17,7 +17,7 @@ FactsSection asked(const OrientationCase& values) {
   section.rows.push_back({"Shape factor", orientation_model(values).constants.xi});
   section.rows.push_back({"Velocity gradient at the start", gradient_history(values.flow).at(0), "1/s"});
   section.rows.push_back({"Orientation at the start", values.fibers.orientation});
-  section.rows.push_back({"Duration", values.duration, "s"});
+  section.rows.push_back({"Duration", values.run.duration, "s"});
   return section;
 }
 
@@ -45,45 +45,18 @@ FactsSection came_out(const OrientationCase& values, const SummaryFile& summary)
   return section;
 }
 
-LinesSection components_section(const OrientationCase& values, const CsvTable& series) {
-  LinesSection section = lines_over_time(
-      "components", "Orientation tensor", {"component"}, series,
-      {{"a11", "A_11"}, {"a22", "A_22"}, {"a33", "A_33"}, {"a12", "A_12"}, {"a13", "A_13"}, {"a23", "A_23"}});
-  if (values.solution.distribution == DistributionChoice::no) return section;
-  for (const char* name : {"11", "22", "33"})
-    section.series.push_back({std::string("A_") + name + " without closure",
-                              series.column(std::string("distribution_a") + name), CurveStyle::dashed});
-  return section;
-}
-
 }  // namespace
 
 ReportDocument report_orientation(const OrientationCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Fiber orientation";
   const SummaryFile summary(folder.summary());
-  const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(values, summary));
-  document.sections.emplace_back(components_section(values, series));
-  document.sections.emplace_back(
-      lines_over_time("principal_values", "Principal values", {"principal value"}, series,
-                      {{"principal_1", "first"}, {"principal_2", "second"}, {"principal_3", "third"}}));
-  document.sections.emplace_back(lines_over_time("stretching", "Share of the flow that stretches fibers",
-                                                 {"D:A4:D/D:D"}, series, {{"stretching_share", "share"}}));
-  if (!values.melt.name.empty()) {
-    document.sections.emplace_back(lines_over_time("stress", "Extra stress", {"stress", "Pa"}, series,
-                                                   {{"stress_11_Pa", "tau_11"},
-                                                    {"stress_22_Pa", "tau_22"},
-                                                    {"stress_33_Pa", "tau_33"},
-                                                    {"stress_12_Pa", "tau_12"},
-                                                    {"stress_13_Pa", "tau_13"},
-                                                    {"stress_23_Pa", "tau_23"}}));
-    document.sections.emplace_back(
-        lines_over_time("viscosity", "Viscosity", {"viscosity", "Pa s"}, series,
-                        {{"viscosity_Pa_s", "matrix"}, {"effective_viscosity_Pa_s", "informed isotropic"}}));
-  }
+  for (LinesSection& chart :
+       draw(orientation_charts(), orientation_observables(values), read_csv(folder.series())))
+    document.sections.emplace_back(std::move(chart));
   return document;
 }
 

@@ -1,43 +1,20 @@
-// Runs the study orientation: follows the orientation tensor and writes it over time.
+// Runs the study orientation: follows the orientation tensor.
 #include "studies/orientation/run.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <optional>
 
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/fokker_planck.hpp"
-#include "io/csv_table.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
-#include "studies/orientation/stress.hpp"
+#include "studies/law_facts.hpp"
+#include "studies/orientation/observables.hpp"
 
 namespace fiberfate {
 namespace {
-
-/// Columns of tables, in the order of the particle level's series.
-constexpr std::array component_names = {"11", "22", "33", "12", "13", "23"};
-
-double rate_of(const Mat3& gradient) {
-  const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
-  return std::sqrt(2 * double_dot(strain_rate, strain_rate));
-}
-
-CsvTable empty_series(const OrientationCase& values) {
-  CsvTable series;
-  series.columns = {"time_s", "strain", "rate_per_s"};
-  for (const char* name : component_names) series.columns.push_back(std::string("a") + name);
-  for (const char* name : {"1", "2", "3"}) series.columns.push_back(std::string("principal_") + name);
-  series.columns.emplace_back("stretching_share");
-  if (values.solution.distribution == DistributionChoice::yes)
-    for (const char* name : component_names) series.columns.push_back(std::string("distribution_a") + name);
-  if (!values.melt.name.empty())
-    for (std::string& name : OrientationStress::columns()) series.columns.push_back(std::move(name));
-  series.values.resize(series.columns.size());
-  return series;
-}
 
 /// Follows the distribution function from output to output.
 class DistributionFollower {
@@ -65,78 +42,80 @@ class DistributionFollower {
   double time_ = 0;
 };
 
-void append_components(std::vector<double>& row, const Mat3& a) {
-  row.insert(row.end(), {a(0, 0), a(1, 1), a(2, 2), a(0, 1), a(0, 2), a(1, 2)});
-}
-
-/// Follows the orientation, appends to the series and returns the integrator at the end.
-OrientationIntegrator follow(const OrientationCase& values, CsvTable& series, RunSummary& summary) {
-  const OrientationModel model = orientation_model(values);
-  const GradientHistory history = gradient_history(values.flow);
-  OrientationIntegrator integrator(OrientationLaw(model), history, {0, values.fibers.orientation},
-                                   {values.solution.tolerance, values.solution.tolerance});
-  std::optional<DistributionFollower> distribution;
-  if (values.solution.distribution == DistributionChoice::yes) distribution.emplace(values);
-  std::optional<OrientationStress> stress;
-  if (!values.melt.name.empty()) stress.emplace(values);
-  double strain = 0, before = 0;
-  Mat3 exact = Mat3::Zero();
-  for (const double time : output_times(values)) {
-    for (double at = before; at < time; at = std::min(time, history.next_change(at)))
-      strain += rate_of(history.at(at)) * (std::min(time, history.next_change(at)) - at);
-    before = time;
-    integrator.advance_to(time);
-    const Mat3& second = integrator.state().second;
-    const Mat3& gradient = history.at(time);
-    std::vector<double> row = {time, strain, rate_of(gradient)};
-    append_components(row, second);
-    const Vec3 principal = eigenframe(second).values;
-    row.insert(row.end(), principal.begin(), principal.end());
-    const Mat6 fourth = close(second, model.closure);
-    row.push_back(stretching_share(0.5 * (gradient + gradient.transpose()), fourth));
-    if (distribution) append_components(row, exact = distribution->advance_to(time));
-    if (stress) stress->append(gradient, fourth, row);
-    for (std::size_t i = 0; i < row.size(); ++i) series.values[i].push_back(row[i]);
+/// Follows the tensor with all that is measured beside it.
+class OrientationRun {
+ public:
+  explicit OrientationRun(const OrientationCase& values)
+      : model_(orientation_model(values)),
+        history_(gradient_history(values.flow)),
+        integrator_(OrientationLaw(model_), history_, {0, values.fibers.orientation},
+                    {values.solution.tolerance, values.solution.tolerance}) {
+    if (values.solution.distribution == DistributionChoice::yes) distribution_.emplace(values);
+    if (!values.melt.name.empty()) stress_.emplace(values);
   }
-  summary.own.emplace_back("strain", strain);
-  if (distribution) {
-    summary.own.emplace_back("distribution_A2", exact);
-    summary.own.emplace_back("closure_error", (integrator.state().second - exact).norm());
-  }
-  if (stress) stress->append(summary);
-  return integrator;
-}
 
-void append_law(RunSummary& summary, const std::string& key, const LawMenu& menu, const LawChoice& choice) {
-  summary.own.emplace_back(key, choice.name);
-  const LawMenuItem& law = *chosen_law(menu, choice);
-  const std::vector<double> values = law_values(menu, choice);
-  for (std::size_t i = 0; i < values.size(); ++i) summary.own.emplace_back(law.parameters[i].name, values[i]);
-}
+  [[nodiscard]] OrientationMoment advance_to(double time) {
+    for (double at = time_; at < time; at = std::min(time, history_.next_change(at)))
+      strain_ += rate_of(history_.at(at)) * (std::min(time, history_.next_change(at)) - at);
+    time_ = time;
+    integrator_.advance_to(time);
+    const Mat3 gradient = history_.at(time);
+    OrientationMoment now{time, strain_, rate_of(gradient), integrator_.state().second};
+    const Mat6 fourth = close(now.second, model_.closure);
+    now.principal = eigenframe(now.second).values;
+    now.stretching_share = stretching_share(0.5 * (gradient + gradient.transpose()), fourth);
+    if (distribution_) now.exact = distribution_->advance_to(time);
+    if (stress_) now.stress = stress_->at(gradient, fourth);
+    return now;
+  }
+
+  /// Adds to a summary what the last moment of a whole run tells.
+  void summarise(const OrientationMoment& last, RunSummary& summary) const {
+    summary.orientation = last.second;
+    summary.steps = integrator_.record().accepted;
+    if (distribution_)
+      summary.own.insert(summary.own.end(), {{"distribution_A2", last.exact},
+                                             {"closure_error", (last.second - last.exact).norm()}});
+    if (stress_)
+      summary.own.insert(summary.own.end(),
+                         {{"fiber_term", stress_->fiber_term()}, {"stress_Pa", last.stress.extra}});
+    const double rate = OrientationLaw(model_).rate(last.second, history_.at(last.time)).norm();
+    summary.own.insert(summary.own.end(), {{"rejected_steps", integrator_.record().rejected},
+                                           {"projections", integrator_.projections()},
+                                           {"final_rate_per_s", rate}});
+  }
+
+ private:
+  OrientationModel model_;
+  GradientHistory history_;
+  OrientationIntegrator integrator_;
+  std::optional<DistributionFollower> distribution_;
+  std::optional<StressEvaluator> stress_;
+  double time_ = 0, strain_ = 0;
+};
 
 }  // namespace
 
 Outcome compute_orientation(const OrientationCase& values, Session& session) {
   Outcome outcome;
   RunSummary& summary = outcome.summary;
-  summary.simulated_s = values.duration;
-  append_law(summary, "diffusion", diffusion_menu(), values.diffusion);
-  append_law(summary, "retardation", retardation_menu(), values.retardation);
+  summary.simulated_s = values.run.duration;
+  append_law(summary, {"", "diffusion"}, diffusion_menu(), values.diffusion);
+  append_law(summary, {"", "retardation"}, retardation_menu(), values.retardation);
   summary.own.emplace_back("closure", values.solution.closure);
   summary.own.emplace_back("shape_factor", orientation_model(values).constants.xi);
-  CsvTable series = empty_series(values);
-  const OrientationIntegrator integrator = follow(values, series, summary);
-  const Mat3& second = integrator.state().second;
-  const Mat3 gradient = gradient_history(values.flow).at(values.duration);
-  const OrientationLaw law(orientation_model(values));
-  summary.orientation = second;
-  summary.steps = integrator.record().accepted;
-  summary.own.emplace_back("rejected_steps", integrator.record().rejected);
-  summary.own.emplace_back("projections", integrator.projections());
-  summary.own.emplace_back("final_rate_per_s", law.rate(second, gradient).norm());
+  const Observables<OrientationMoment> observables = orientation_observables(values);
+  CsvTable series{columns_of(observables)};
+  OrientationRun run(values);
+  OrientationMoment last;
+  for (const double time : series_times(values.run, values.output))
+    series.append(measure(observables, last = run.advance_to(time)));
+  summarise(observables, last, summary);
+  run.summarise(last, summary);
   outcome.tables.push_back({"series", std::move(series)});
-  session.recorder().note(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", second(0, 0),
-                                      second(1, 1), second(2, 2), values.duration));
+  const Vec3 diagonal = last.second.diagonal();
+  session.recorder().note(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", diagonal[0],
+                                      diagonal[1], diagonal[2], values.run.duration));
   return outcome;
 }
 

@@ -7,92 +7,48 @@
 
 #include "base/error.hpp"
 #include "keys/key_rows.hpp"
-#include "keys/law_choice.hpp"
-#include "microstructure/closure.hpp"
 #include "packing/population.hpp"
 
 namespace fiberfate {
 namespace {
 
 /// Keys that fibers and matrix share.
-template <class Choices>
-std::vector<KeyRow<Choices>> material_rows() {
-  return {{"youngs_modulus",
-           &Choices::youngs_modulus,
-           {"Pa", "GPa"},
-           Range::positive(1e13),
-           {},
-           "",
-           "Young's modulus."},
-          {"poisson_ratio", &Choices::poisson_ratio, {}, Range::inside(-1, 0.5), {}, "", "Poisson's ratio."},
-          {"expansion",
-           &Choices::expansion,
-           {"1/K"},
-           Range::between(-1e-2, 1e-2),
-           {},
-           "",
-           "Linear thermal expansion."},
-          {"density",
-           &Choices::density,
-           {"kg/m3"},
-           Range::positive(1e5),
-           {},
-           "",
-           "Density; it matters only with fibers.weight_fraction."}};
-}
-
-void describe_distribution(KeyTable& table, const std::string& key, CompositeFiberChoices& fibers) {
-  table.rows(key, fibers.distribution,
-             {{"length", {"m", "mm"}, Range::positive(10)}, {"number", {"1", "1"}, Range::not_negative()}},
-             {.text = "Rows [length, number of fibers], or the path of a text file with such rows in SI, "
-                      "distribution.csv of a measurement, say; the properties are averaged by volume.",
-              .example = R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])"});
+template <class Material>
+KeyRows<Material> material_rows() {
+  return {
+      key("youngs_modulus", &Material::youngs_modulus, {"Pa", "GPa"}, Range::positive(1e13),
+          "Young's modulus."),
+      key("poisson_ratio", &Material::poisson_ratio, {}, Range::inside(-1, 0.5), "Poisson's ratio."),
+      key("expansion", &Material::expansion, {"1/K"}, Range::between(-1e-2, 1e-2),
+          "Linear thermal expansion."),
+      key("density", &Material::density, {"kg/m3"}, Range::positive(1e5),
+          "Density; it matters only with fibers.weight_fraction."),
+  };
 }
 
 KeyGroup<CompositeFiberChoices> fiber_keys() {
   using Fibers = CompositeFiberChoices;
-  std::vector<KeyRow<Fibers>> rows = {
-      {"volume_fraction",
-       &Fibers::volume_fraction,
-       {},
-       Range::between(0, 1),
-       optional("\"13.2 %\""),
-       "",
-       "Volume of the fibers over that of the part."},
-      {"weight_fraction",
-       &Fibers::weight_fraction,
-       {},
-       Range::between(0, 1),
-       optional("\"30 %\""),
-       "",
-       "Weight of the fibers over that of the part, instead of volume_fraction."},
-      {"aspect_ratio",
-       &Fibers::aspect_ratio,
-       {},
-       Range::positive(1e9),
-       optional("25"),
-       "",
-       "Length over diameter."},
-      {"length",
-       &Fibers::length,
-       {"m", "mm"},
-       Range::positive(10),
-       optional("\"2 mm\""),
-       "",
-       "One length of all fibers, instead of aspect_ratio."},
-      {"distribution", describe_distribution},
-      {"diameter",
-       &Fibers::diameter,
-       {"m", "um"},
-       Range::positive(1e-2),
-       {},
-       "",
-       "Diameter, which makes an aspect ratio of a length."},
-      {"orientation", [](KeyTable& table, const std::string& key, Fibers& fibers) {
-         table.orientation(key, fibers.orientation, {.text = "Orientation tensor A2."});
-       }}};
-  for (KeyRow<Fibers>& row : material_rows<Fibers>()) rows.push_back(std::move(row));
-  return {"fibers", "The fibers; give one fraction, and an aspect ratio, a length or a distribution.", rows};
+  const std::vector<Column> classes = {{"length", {"m", "mm"}, Range::positive(10)},
+                                       {"number", {"1", "1"}, Range::not_negative()}};
+  const KeyRows<Fibers> own = {
+      key("volume_fraction", &Fibers::volume_fraction, {}, Range::between(0, 1),
+          "Volume of the fibers over that of the part.", optional("\"13.2 %\"")),
+      key("weight_fraction", &Fibers::weight_fraction, {}, Range::between(0, 1),
+          "Weight of the fibers over that of the part, instead of volume_fraction.", optional("\"30 %\"")),
+      key("aspect_ratio", &Fibers::aspect_ratio, {}, Range::positive(1e9), "Length over diameter.",
+          optional("25")),
+      key("length", &Fibers::length, {"m", "mm"}, Range::positive(10),
+          "One length of all fibers, instead of aspect_ratio.", optional("\"2 mm\"")),
+      rows_key("distribution", &Fibers::distribution, classes,
+               "Rows [length, number of fibers], or the path of a text file with such rows in SI, "
+               "distribution.csv of a measurement, say; the properties are averaged by volume.",
+               optional(R"([["0.5 mm", 120], ["1 mm", 60], ["5 mm", 4]])")),
+      key("diameter", &Fibers::diameter, {"m", "um"}, Range::positive(1e-2),
+          "Diameter, which makes an aspect ratio of a length."),
+      orientation_key("orientation", &Fibers::orientation, "Orientation tensor A2."),
+  };
+  return {"fibers", "The fibers; give one fraction, and an aspect ratio, a length or a distribution.",
+          joined<Fibers>({own, material_rows<Fibers>()})};
 }
 
 KeyGroup<SolutionChoices> solution_keys() {
@@ -102,13 +58,11 @@ KeyGroup<SolutionChoices> solution_keys() {
       {Homogenisation::lielens, "lielens", "between the bounds; stiffer at high fractions"}};
   return {"solution",
           "How properties are predicted (docs/theory/properties.md).",
-          {{"model", &SolutionChoices::model, models, "", "Stiffness of aligned fibers."},
-           {"closure", [](KeyTable& table, const std::string& key, SolutionChoices& solution) {
-              std::vector<std::pair<std::string, std::string>> names;
-              for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
-              describe_name(table, key, solution.closure, std::move(names),
-                            {.text = "How A4 is made from A2 (docs/theory/closures.md)."});
-            }}}};
+          {
+              key("model", &SolutionChoices::model, models, "Stiffness of aligned fibers."),
+              name_key("closure", &SolutionChoices::closure, closure_names(),
+                       "How A4 is made from A2 (docs/theory/closures.md)."),
+          }};
 }
 
 void validate_fraction(const CompositeFiberChoices& fibers, CaseChecker& checker) {
@@ -142,10 +96,9 @@ void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker)
 
 void describe_properties(KeyTable& table, PropertiesCase& values) {
   describe(table, fiber_keys(), values.fibers);
-  describe(table,
-           KeyGroup<CompositeMatrixChoices>{"matrix", "The matrix; the defaults are polypropylene.",
-                                            material_rows<CompositeMatrixChoices>()},
-           values.matrix);
+  const KeyGroup<CompositeMatrixChoices> matrix = {"matrix", "The matrix; the defaults are polypropylene.",
+                                                   material_rows<CompositeMatrixChoices>()};
+  describe(table, matrix, values.matrix);
   describe(table, solution_keys(), values.solution);
 }
 

@@ -8,7 +8,6 @@
 
 #include "continuum/homogenisation.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {

@@ -34,12 +34,11 @@ double modulus_along(const Mat6& compliance, const Vec3& n) {
 
 CsvTable modulus_table(const Mat6& stiffness) {
   const Mat6 compliance = inverse(stiffness);
-  CsvTable table{{"angle_deg", "modulus_12_Pa", "modulus_13_Pa"}, std::vector<std::vector<double>>(3)};
+  CsvTable table{{"angle_deg", "modulus_12_Pa", "modulus_13_Pa"}};
   for (int k = 0; k <= angle_steps; ++k) {
     const double angle = pi * k / angle_steps;
-    table.values[0].push_back(180.0 * k / angle_steps);
-    table.values[1].push_back(modulus_along(compliance, {std::cos(angle), std::sin(angle), 0}));
-    table.values[2].push_back(modulus_along(compliance, {std::cos(angle), 0, std::sin(angle)}));
+    table.append({180.0 * k / angle_steps, modulus_along(compliance, {std::cos(angle), std::sin(angle), 0}),
+                  modulus_along(compliance, {std::cos(angle), 0, std::sin(angle)})});
   }
   return table;
 }

@@ -10,7 +10,7 @@ constexpr double single_fiber_cell = 4;  ///< edge of the cell of a lone fiber, 
 
 bool knows_densities(const SampleCase& sample) {
   const auto& more = sample.fibers.more_kinds;
-  return sample.matrix_density && sample.fibers.density &&
+  return sample.matrix.density && sample.fibers.density &&
          std::all_of(more.begin(), more.end(),
                      [](const FurtherKind& kind) { return kind.density.has_value(); });
 }
@@ -33,8 +33,8 @@ std::vector<FiberMaterial> materials(const SampleCase& sample) {
 }
 
 ConcentrationRequest concentration(const SampleCase& sample) {
-  return {sample.fibers.count, sample.fibers.volume_fraction, sample.fibers.weight_fraction, sample.cell_size,
-          sample.matrix_density.value_or(0)};
+  return {sample.fibers.count, sample.fibers.volume_fraction, sample.fibers.weight_fraction, sample.cell.size,
+          sample.matrix.density.value_or(0)};
 }
 
 PackingRequest packing_request(const SampleCase& sample, const ContactParameters& contact,
@@ -60,7 +60,7 @@ PackingRequest packing_request(const SampleCase& sample, const ContactParameters
 
 FiberState single_fiber(const SampleCase& sample) {
   const double length = sample.fibers.length.value_or(0);
-  const Vec3 size = sample.cell_size.value_or(Vec3::Constant(single_fiber_cell * length));
+  const Vec3 size = sample.cell.size.value_or(Vec3::Constant(single_fiber_cell * length));
   const Vec3 direction = sample.cluster.direction.value_or(Vec3::UnitX()).normalized();
   const int rods = rods_for(length, sample.fibers.rod_length.value_or(length));
   FiberState state;
@@ -87,7 +87,7 @@ std::optional<SamplePlan> plan_sample(const SampleCase& sample, std::uint64_t se
   }
   if (knows_densities(sample))
     plan.weight_fraction = weight_from_volume_fraction(plan.volume_fraction, mean_density(species(sample)),
-                                                       *sample.matrix_density);
+                                                       *sample.matrix.density);
   return plan;
 }
 

@@ -1,4 +1,4 @@
-// Holds the choices about the fibers at the start that the studies cluster and shear_cell share.
+// The choices about the fibers at the start that the studies cluster and shear_cell share.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +8,21 @@
 
 #include "base/vector.hpp"
 #include "dynamics/parameters.hpp"
+#include "fibers/cell.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "keys/key_rows.hpp"
 #include "packing/packing.hpp"
 #include "packing/population.hpp"
 #include "studies/sample/fiber_kind.hpp"
 
 namespace fiberfate {
 
-/// Holds a [[fibers.more_kinds]]: one more kind of fibers in the same cell.
+/// A [[fibers.more_kinds]]: one more kind of fibers in the same cell.
 struct FurtherKind : FiberKind {
   double volume_share = 0;  ///< volume of these fibers, relative to that of the first kind
 };
 
-/// Holds [fibers]: what they are and how many.
+/// [fibers]: what they are and how many.
 struct FiberChoices : FiberKind {
   std::optional<std::int64_t> count;
   std::optional<double> volume_fraction;
@@ -29,14 +30,14 @@ struct FiberChoices : FiberKind {
   std::vector<FurtherKind> more_kinds;
 };
 
-/// Names where the fibers come from.
+/// Where the fibers come from.
 enum class ClusterSource {
   generate,  ///< packed with the wanted orientation
   fiber,     ///< one straight fiber in the middle of the cell
   file,      ///< checkpoint.h5, fibers.csv or Initial_Positions.txt
 };
 
-/// Holds [cluster]: how the fibers lie at the start. The names are those of PackingRequest.
+/// [cluster]: how the fibers lie at the start. The names are those of PackingRequest.
 struct ClusterChoices {
   ClusterSource source = ClusterSource::generate;
   std::string file;                         ///< of source = "file"; absolute
@@ -56,18 +57,33 @@ struct ClusterChoices {
   int step_limit = PackingRequest{}.step_limit;
 };
 
-/// Holds everything about the fibers at the start.
+/// [matrix].
+struct MatrixChoices {
+  std::optional<double> density;  ///< kg/m³
+};
+
+/// [cell].
+struct CellChoices {
+  std::optional<Vec3> size;  ///< m
+};
+
+/// Everything about the fibers at the start.
 struct SampleCase {
   FiberChoices fibers;
-  std::optional<double> matrix_density;  ///< [matrix] density, kg/m³
-  std::optional<Vec3> cell_size;         ///< [cell] size, m
+  MatrixChoices matrix;
+  CellChoices cell;
   ClusterChoices cluster;
+};
+
+/// [boundary]: how the cell ends.
+struct BoundaryChoices {
+  Boundary y = Boundary::periodic;
 };
 
 /// Adds the keys of [fibers], [fibers.length_histogram], [matrix], [cell] and [cluster].
 void describe_sample(KeyTable& table, SampleCase& sample);
-/// Adds the keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
-void describe_contact_law(KeyTable& table, ContactParameters& contact);
+/// The keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
+[[nodiscard]] KeyRows<ContactParameters> contact_law_rows();
 
 /// Tells the materials of all kinds.
 [[nodiscard]] std::vector<FiberMaterial> materials(const SampleCase& sample);
@@ -87,7 +103,7 @@ void validate_sample(const SampleCase& sample, CaseChecker& checker);
 /// fiber lengths wide unless the case gives its size, so that the fiber never meets its own image.
 [[nodiscard]] FiberState single_fiber(const SampleCase& sample);
 
-/// Holds what follows from a sample, as far as it can be known before packing.
+/// What follows from a sample, as far as it can be known before packing.
 struct SamplePlan {
   std::int64_t fibers = 0;
   std::int64_t rods = 0;

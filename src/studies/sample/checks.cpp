@@ -53,7 +53,7 @@ void validate_concentration(CaseChecker& checker) {
   } else if (amounts.empty()) {
     checker.error("fibers.count", "not given, and no fraction either",
                   "add count, volume_fraction or weight_fraction under [fibers]");
-    if (!cell) require_key("cell.size", "fibers need a cell", "\"1.5 mm\"", checker);
+    if (!cell) checker.require("cell.size", "fibers need a cell", "\"1.5 mm\"");
   } else if (given < 2) {
     const bool count = amounts.front() == "fibers.count";
     checker.error(amounts.front(), "does not fix the cell by itself",
@@ -72,19 +72,19 @@ void validate_densities(const SampleCase& sample, CaseChecker& checker) {
     const std::string both = "a weight fraction with both densities";
     if (sample.fibers.density && !checker.is_given("matrix.density"))
       checker.warn_unused({"fibers.density"}, both);
-    if (sample.matrix_density && !checker.is_given("fibers.density"))
+    if (sample.matrix.density && !checker.is_given("fibers.density"))
       checker.warn_unused({"matrix.density"}, both);
     return;
   }
   const std::string why = "fibers.weight_fraction needs it";
-  require_key("fibers.density", why, "\"2550 kg/m3\"", checker);
+  checker.require("fibers.density", why, "\"2550 kg/m3\"");
   for (std::size_t i = 0; i < sample.fibers.more_kinds.size(); ++i)
-    require_key(kind_table(i) + ".density", why, "\"1800 kg/m3\"", checker);
-  require_key("matrix.density", why, "\"905 kg/m3\"", checker);
+    checker.require(kind_table(i) + ".density", why, "\"1800 kg/m3\"");
+  checker.require("matrix.density", why, "\"905 kg/m3\"");
 }
 
 void validate_cell(const SampleCase& sample, CaseChecker& checker) {
-  if (!sample.cell_size) return;
+  if (!sample.cell.size) return;
   std::string table = "fibers";
   double thickest = sample.fibers.diameter;
   for (std::size_t i = 0; i < sample.fibers.more_kinds.size(); ++i) {
@@ -92,7 +92,7 @@ void validate_cell(const SampleCase& sample, CaseChecker& checker) {
     thickest = sample.fibers.more_kinds[i].diameter;
     table = kind_table(i);
   }
-  if (sample.cell_size->minCoeff() < fewest_diameters_a_cell * thickest)
+  if (sample.cell.size->minCoeff() < fewest_diameters_a_cell * thickest)
     checker.error("cell.size",
                   fmt::format("the cell is hardly wider than a fiber, {}", checker.cite(table + ".diameter")),
                   fmt::format("give edges of at least {} diameters", fewest_diameters_a_cell));
@@ -109,14 +109,14 @@ double expected_rods(const SampleCase& sample) {
   const double fraction =
       fibers.volume_fraction
           ? *fibers.volume_fraction
-          : volume_from_weight_fraction(*fibers.weight_fraction, mean_density(kinds), *sample.matrix_density);
+          : volume_from_weight_fraction(*fibers.weight_fraction, mean_density(kinds), *sample.matrix.density);
   double shares = 0, rods = 0;
   for (const FiberSpecies& kind : kinds) {
     const double radius = kind.material.radius;
     shares += kind.volume_share;
     rods += kind.volume_share / (pi * radius * radius * kind.rod_length);
   }
-  return fraction * sample.cell_size->prod() * rods / shares;
+  return fraction * sample.cell.size->prod() * rods / shares;
 }
 
 /// Finds what packing would refuse: fibers too few for their orientation, bundles too thick for their cell.
@@ -207,10 +207,10 @@ void validate_single(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused({"cluster.file"}, "cluster.source = \"file\"");
   checker.warn_unused(packing_keys, "cluster.source = \"generate\"");
   const std::string source = checker.cite("cluster.source");
-  require_key("cluster.direction", "a single fiber needs one", "[0.0, 1.0, 1.0]", checker);
+  checker.require("cluster.direction", "a single fiber needs one", "[0.0, 1.0, 1.0]");
   if (sample.cluster.direction && !(sample.cluster.direction->norm() > 0))
     checker.error("cluster.direction", "has no length", "give components that are not all zero");
-  require_key("fibers.length", "the fiber needs a length", "\"0.5 mm\"", checker);
+  checker.require("fibers.length", "the fiber needs a length", "\"0.5 mm\"");
   if (sample.fibers.count.value_or(1) != 1)
     checker.error("fibers.count", "contradicts " + source, "remove it, or give 1");
   for (const std::string key :
@@ -221,7 +221,7 @@ void validate_single(const SampleCase& sample, CaseChecker& checker) {
 }
 
 void validate_from_file(const SampleCase& sample, CaseChecker& checker) {
-  require_key("cluster.file", "cluster.source = \"file\" needs it", "\"../cluster/checkpoint.h5\"", checker);
+  checker.require("cluster.file", "cluster.source = \"file\" needs it", "\"../cluster/checkpoint.h5\"");
   checker.check_file("cluster.file", sample.cluster.file);
   const std::string generate = "cluster.source = \"generate\"";
   checker.warn_unused({"cluster.direction"}, "cluster.source = \"fiber\"");
@@ -231,7 +231,7 @@ void validate_from_file(const SampleCase& sample, CaseChecker& checker) {
   checker.warn_unused(packing_keys, generate);
   const bool tells_its_cell = sample.cluster.file.ends_with(".h5");
   if (!tells_its_cell && !sample.cluster.file.empty())
-    require_key("cell.size", "the cluster's file does not tell its cell", "\"1.5 mm\"", checker);
+    checker.require("cell.size", "the cluster's file does not tell its cell", "\"1.5 mm\"");
 }
 
 }  // namespace

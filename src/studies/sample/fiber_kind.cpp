@@ -22,7 +22,7 @@ std::string length_key(const std::string& table, CaseChecker& checker) {
   for (const std::string& key : length_keys(table))
     if (checker.is_given(key)) given.push_back(key);
   if (given.empty() && !is_partly_given(table, checker))
-    require_key(table + ".length", "fibers need a length", "\"2.5 mm\"", checker);
+    checker.require(table + ".length", "fibers need a length", "\"2.5 mm\"");
   for (std::size_t i = 1; i < given.size(); ++i)
     checker.error(given[i], "contradicts " + checker.cite(given[0]), "remove one of the two");
   return given.empty() ? table + ".length" : given[0];
@@ -80,7 +80,7 @@ void validate_lengths(const FiberKind& kind, const std::string& table, CaseCheck
 
 void validate_rods(const FiberKind& kind, const std::string& table, CaseChecker& checker) {
   const std::string rod_length = table + ".rod_length", diameter = checker.cite(table + ".diameter");
-  require_key(rod_length, "fibers are cut into rods", "\"0.1 mm\"", checker);
+  checker.require(rod_length, "fibers are cut into rods", "\"0.1 mm\"");
   if (kind.diameter <= 0 || !kind.rod_length) return;
   if (*kind.rod_length < kind.diameter)
     checker.error(rod_length, "a rod is shorter than it is thick, " + diameter,
@@ -100,15 +100,6 @@ std::vector<std::string> length_keys(const std::string& table) {
 void validate_fiber_kind(const FiberKind& kind, const std::string& table, CaseChecker& checker) {
   validate_lengths(kind, table, checker);
   validate_rods(kind, table, checker);
-}
-
-void require_key(const std::string& key, const std::string& why, const std::string& example,
-                 CaseChecker& checker) {
-  if (checker.is_given(key)) return;
-  const auto dot = key.rfind('.');
-  checker.error(
-      key, "not given; " + why,
-      fmt::format("add {} = {} under {}", key.substr(dot + 1), example, table_heading(key.substr(0, dot))));
 }
 
 LengthLaw length_law(const FiberKind& kind) {

@@ -1,4 +1,4 @@
-// Holds what one kind of fibers is: lengths, diameter, stiffness, density and rods.
+// What one kind of fibers is: lengths, diameter, stiffness, density and rods.
 #pragma once
 
 #include <optional>
@@ -6,22 +6,22 @@
 #include <vector>
 
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "keys/key_rows.hpp"
 #include "packing/population.hpp"
 
 namespace fiberfate {
 
-/// Names the smooth laws of length.
+/// The smooth laws of length.
 enum class LengthDistributionLaw { weibull, log_normal };
 
-/// Holds [fibers.length_distribution]: a smooth law by its two means.
+/// [fibers.length_distribution]: a smooth law by its two means.
 struct LengthDistributionChoices {
   LengthDistributionLaw law = LengthDistributionLaw::weibull;
   std::optional<double> number_average;  ///< L_N, m; not given: no such law is asked for
   std::optional<double> weight_average;  ///< L_W, m
 };
 
-/// Holds one kind of fibers. One of length, lengths, length_histogram and length_distribution is given.
+/// One kind of fibers. One of length, lengths, length_histogram and length_distribution is given.
 struct FiberKind {
   std::optional<double> length;              ///< of every fiber, m
   std::vector<std::vector<double>> lengths;  ///< rows of one measured length, m
@@ -33,16 +33,13 @@ struct FiberKind {
   std::optional<double> rod_length;  ///< target; a fiber is cut in equal rods nearest to it, m
 };
 
-/// Adds the keys of a kind that stand in `table` itself: all but its laws of length.
-void describe_fiber_kind(KeyTable& keys, const std::string& table, FiberKind& kind);
+/// The keys of a kind that stand in its table itself: all but its laws of length.
+[[nodiscard]] const KeyRows<FiberKind>& fiber_kind_rows();
 /// Adds the tables of a kind's laws of length: [table.length_histogram] and [table.length_distribution].
 void describe_length_laws(KeyTable& keys, const std::string& table, FiberKind& kind);
 
 /// Names the keys by which the kind in `table` may give its lengths.
 [[nodiscard]] std::vector<std::string> length_keys(const std::string& table);
-/// Demands a key and shows an example of it.
-void require_key(const std::string& key, const std::string& why, const std::string& example,
-                 CaseChecker& checker);
 /// Finds what contradicts what in the kind that `table` describes.
 void validate_fiber_kind(const FiberKind& kind, const std::string& table, CaseChecker& checker);
 

@@ -1,4 +1,4 @@
-// Builds the sections of reports that the studies of fibers share.
+// The sections of reports that the studies of fibers share.
 #include "studies/sample/fiber_sections.hpp"
 
 #include <fmt/format.h>
@@ -123,9 +123,9 @@ std::vector<Fact> sample_facts(const SampleCase& sample) {
                                  describe(length_law(kind))),
                      "", fmt::format("{:.4g} times the volume of the first", kind.volume_share)});
   }
-  if (sample.cell_size)
-    facts.push_back({"Cell", fmt::format("{:.4g} × {:.4g} × {:.4g} mm", 1e3 * sample.cell_size->x(),
-                                         1e3 * sample.cell_size->y(), 1e3 * sample.cell_size->z())});
+  if (sample.cell.size)
+    facts.push_back({"Cell", fmt::format("{:.4g} × {:.4g} × {:.4g} mm", 1e3 * sample.cell.size->x(),
+                                         1e3 * sample.cell.size->y(), 1e3 * sample.cell.size->z())});
   if (sample.cluster.source == ClusterSource::file)
     facts.push_back({"Fibers read from", sample.cluster.file});
   if (!sample.cluster.directions.empty())
@@ -161,14 +161,6 @@ FactsSection effort_section(const SummaryFile& summary) {
   const std::vector<double> seconds = summary.timings();
   for (std::size_t phase = 0; phase < phase_count; ++phase)
     section.rows.push_back({std::string("Phase ") + phase_names[phase], seconds[phase], "s"});
-  return section;
-}
-
-LinesSection lines_over_time(const std::string& id, const std::string& title, const ReportAxis& y,
-                             const CsvTable& series, const std::vector<Curve>& curves) {
-  LinesSection section{id, title, {"time", "s"}, y, series.column("time_s"), {}};
-  for (const Curve& curve : curves)
-    section.series.push_back({curve.label, series.column(curve.column), curve.style});
   return section;
 }
 

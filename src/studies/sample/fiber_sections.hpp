@@ -1,10 +1,9 @@
-// Builds the sections of reports that the studies of fibers share.
+// The sections of reports that the studies of fibers share.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "io/csv_table.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "results/report_document.hpp"
 #include "results/result_folder.hpp"
@@ -21,17 +20,6 @@ namespace fiberfate {
 
 /// Lists times, memory and speed.
 [[nodiscard]] FactsSection effort_section(const SummaryFile& summary);
-
-/// Names columns of a table to draw over time, with the labels of the curves.
-struct Curve {
-  const char* column;
-  const char* label;
-  CurveStyle style = CurveStyle::line;
-};
-/// Draws columns of series.csv over time.
-[[nodiscard]] LinesSection lines_over_time(const std::string& id, const std::string& title,
-                                           const ReportAxis& y, const CsvTable& series,
-                                           const std::vector<Curve>& curves);
 
 /// Makes equal bins of about the given width that cover [0, highest].
 [[nodiscard]] std::vector<double> bin_edges(double highest, double width);

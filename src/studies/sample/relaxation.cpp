@@ -41,37 +41,27 @@ const char* name(RelaxationEnd end) {
 }
 
 void describe_relaxation(KeyTable& table, RelaxationChoices& choices) {
-  table.section(
+  using Relaxation = RelaxationChoices;
+  const KeyGroup<Relaxation> keys = {
       "relaxation",
-      "Dynamics after packing: a slow shear with contact and without breakage, until no overlap and no "
-      "bend is worse than wanted.");
-  table.quantity("relaxation.duration", choices.duration,
-                 {.text = "Most simulated time; not given: the packing is kept as it is.",
-                  .unit = "s",
-                  .friendly = "ms",
-                  .range = Range::positive(1000),
-                  .example = "\"20 ms\"",
-                  .source = "thesis sections 3.2.1 and 3.3.3"});
-  table.quantity("relaxation.rate", choices.rate,
-                 {.text = "Shear rate meanwhile; 0 lets the fibers come to rest.",
-                  .unit = "1/s",
-                  .range = Range::between(0, 1e4)});
-  table.quantity("relaxation.viscosity", choices.viscosity,
-                 {.text = "Viscosity of the matrix meanwhile.",
-                  .unit = "Pa s",
-                  .range = {0, 1e9, Range::Ends::open_low},
-                  .source = "thesis table 3"});
-  table.quantity(
-      "relaxation.overlap", choices.overlap,
-      {.text = "Largest overlap of two fibers that ends it, in diameters.", .range = Range::positive(1)});
-  table.quantity("relaxation.minimum_radius", choices.minimum_radius,
-                 {.text = "Smallest radius of curvature that ends it; 0: any.",
-                  .unit = "m",
-                  .friendly = "um",
-                  .range = Range::not_negative()});
-  table.quantity("relaxation.orientation_bound", choices.orientation_bound,
-                 {.text = "Most that any component of the orientation tensor may change meanwhile.",
-                  .range = Range::positive(1)});
+      "Dynamics after packing: a slow shear with contact and without breakage, until no overlap and no bend "
+      "is worse than wanted.",
+      {
+          key("duration", &Relaxation::duration, {"s", "ms"}, Range::positive(1000),
+              "Most simulated time; not given: the packing is kept as it is.", optional("\"20 ms\""),
+              "thesis sections 3.2.1 and 3.3.3"),
+          key("rate", &Relaxation::rate, {"1/s"}, Range::between(0, 1e4),
+              "Shear rate meanwhile; 0 lets the fibers come to rest."),
+          key("viscosity", &Relaxation::viscosity, {"Pa s"}, {0, 1e9, Range::Ends::open_low},
+              "Viscosity of the matrix meanwhile.", {}, "thesis table 3"),
+          key("overlap", &Relaxation::overlap, {}, Range::positive(1),
+              "Largest overlap of two fibers that ends it, in diameters."),
+          key("minimum_radius", &Relaxation::minimum_radius, {"m", "um"}, Range::not_negative(),
+              "Smallest radius of curvature that ends it; 0: any."),
+          key("orientation_bound", &Relaxation::orientation_bound, {}, Range::positive(1),
+              "Most that any component of the orientation tensor may change meanwhile."),
+      }};
+  describe(table, keys, choices);
 }
 
 void validate_relaxation(const RelaxationChoices& choices, CaseChecker& checker) {

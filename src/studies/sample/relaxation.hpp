@@ -7,12 +7,12 @@
 #include "dynamics/parameters.hpp"
 #include "fibers/state.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "keys/key_rows.hpp"
 #include "studies/session.hpp"
 
 namespace fiberfate {
 
-/// Holds [relaxation] (thesis sections 3.2.1, 3.3.3).
+/// [relaxation] (thesis sections 3.2.1, 3.3.3).
 struct RelaxationChoices {
   std::optional<double> duration;   ///< most simulated time, s; not given: none
   double rate = 0.1;                ///< of the shear, 1/s
@@ -22,11 +22,11 @@ struct RelaxationChoices {
   double orientation_bound = 0.01;  ///< most that any component of A2 may change
 };
 
-/// Says why a relaxation ended; the names go to summary.json as relaxation_end.
+/// Why a relaxation ended; the names go to summary.json as relaxation_end.
 enum class RelaxationEnd { met, time_over, orientation_bound };
 [[nodiscard]] const char* name(RelaxationEnd end);
 
-/// Holds relaxed fibers, at rest at time zero, and how they became so.
+/// Relaxed fibers, at rest at time zero, and how they became so.
 struct RelaxedFibers {
   FiberState state;
   RelaxationEnd end = RelaxationEnd::met;

@@ -48,7 +48,7 @@ StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request
   StartingFibers fibers;
   fibers.state = sample.cluster.source == ClusterSource::fiber
                      ? single_fiber(sample)
-                     : read_fiber_file(sample.cluster.file, materials(sample), sample.cell_size);
+                     : read_fiber_file(sample.cluster.file, materials(sample), sample.cell.size);
   fibers.state.cell.boundary[1] = request.boundary_y;
   return fibers;
 }

@@ -22,18 +22,16 @@ constexpr double mean_strain_a_step = 1.7e-3;
 
 void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   const FlowChoices& flow = values.flow;
-  const auto require = [&checker](const std::string& key, const std::string& remedy) {
-    if (!checker.is_given(key)) checker.error(key, "not given; this kind of flow needs it", remedy);
-  };
+  const std::string why = "this kind of flow needs it";
   if (flow.kind != FlowKind::ramp)
     checker.warn_unused({"flow.ramp_duration", "flow.ramp_steps"}, "flow.kind = \"ramp\"");
   if (flow.kind != FlowKind::table) {
-    require("flow.rate", "add rate = \"16.65 1/s\" under [flow]");
-    require("flow.viscosity", "add viscosity = \"200 Pa s\" under [flow]");
+    checker.require("flow.rate", why, "\"16.65 1/s\"");
+    checker.require("flow.viscosity", why, "\"200 Pa s\"");
     checker.warn_unused({"flow.table"}, "flow.kind = \"table\"");
     return;
   }
-  require("flow.table", R"(add table = [["0.5 s", "10 1/s", "300 Pa s"], ...] under [flow])");
+  checker.require("flow.table", why, R"([["0.5 s", "10 1/s", "300 Pa s"], ...])");
   checker.warn_unused({"flow.rate", "flow.viscosity"}, "flow.kind = \"constant\" or \"ramp\"");
   for (std::size_t i = 1; i < flow.table.size(); ++i) {
     if (flow.table[i][0] > flow.table[i - 1][0]) continue;
@@ -44,10 +42,15 @@ void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   }
 }
 
+/// Tells whether a law draws the radius at which a hinge breaks.
+bool is_drawn(BreakageLaw law) {
+  return law == BreakageLaw::probability || law == BreakageLaw::strength;
+}
+
 void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
   const BreakageParameters& breakage = values.dynamics.breakage;
   if (!checker.is_sound("breakage.law")) return;
-  const bool drawn = breakage.law == BreakageLaw::probability || breakage.law == BreakageLaw::strength;
+  const bool drawn = is_drawn(breakage.law);
   if (breakage.law != BreakageLaw::fixed)
     checker.warn_unused({"breakage.critical_radius"}, "breakage.law = \"fixed\"");
   if (!drawn)
@@ -111,7 +114,7 @@ void validate_contact(const ShearCellCase& values, CaseChecker& checker) {
   if (diameter > 0 && values.dynamics.contact.ramp > diameter)
     checker.error("contact.ramp", "wider than a fiber, " + checker.cite("fibers.diameter"),
                   "about 1 um is usual");
-  if (values.boundary_y == Boundary::periodic)
+  if (values.boundary.y == Boundary::periodic)
     checker.warn_unused({"contact.wall_friction"}, "boundary.y = \"walls\"");
 }
 
@@ -127,7 +130,7 @@ void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker) {
 }
 
 CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
-  const auto plan = plan_sample(values.sample, values.dynamics.seed);
+  const auto plan = plan_sample(values.sample, values.run.seed);
   CaseEstimate estimate = estimate_sample(values.sample, plan);
   const double duration = values.run.duration;
   const StepParameters& step = values.dynamics.step;
@@ -135,13 +138,7 @@ CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
   if (step.control == StepControl::fixed) {
     steps = duration / step.initial;
   } else {
-    double strain = 0;
-    const FlowHistory history = flow_history(values.flow);
-    for (double time = 0; time < duration;) {
-      const double next = std::min(duration, history.next_change(time));
-      strain += history.at(time).gradient(0, 1) * (next - time);
-      time = next;
-    }
+    const double strain = shear_strain(flow_history(values.flow), duration);
     steps = std::max(strain / mean_strain_a_step, duration / step.maximum);
   }
   estimate.facts.emplace_back("time steps", fmt::format("about {:.2g}", steps));
@@ -151,6 +148,12 @@ CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
                                         ? "fixed step"
                                         : fmt::format("a mean step of {:.2g} of strain", mean_strain_a_step));
   return estimate;
+}
+
+DynamicsParameters dynamics_parameters(const ShearCellCase& values) {
+  DynamicsParameters parameters = values.dynamics;
+  parameters.seed = values.run.seed;
+  return parameters;
 }
 
 FlowHistory flow_history(const FlowChoices& flow) {
@@ -163,6 +166,22 @@ FlowHistory flow_history(const FlowChoices& flow) {
   if (flow.kind == FlowKind::ramp)
     return FlowHistory::ramp(rate, viscosity, flow.ramp_duration, flow.ramp_steps);
   return FlowHistory::constant(rate, viscosity);
+}
+
+double shear_strain(const FlowHistory& flow, double time) {
+  double strain = 0;
+  double begin = 0;
+  for (const FlowInterval& interval : flow.intervals()) {
+    const bool lasts = &interval == &flow.intervals().back();
+    const double end = lasts ? time : std::min(interval.end_time, time);
+    strain += interval.rate * std::max(0.0, end - begin);
+    begin = std::max(begin, end);
+  }
+  return strain;
+}
+
+double critical_radius(const BreakageParameters& breakage) {
+  return is_drawn(breakage.law) ? breakage.minimum_radius : breakage.critical_radius;
 }
 
 double series_interval(const ShearCellCase& values) {

@@ -1,22 +1,21 @@
-// Holds a case of the study shear_cell: fibers in a periodic cell of sheared melt.
+// A case of the study shear_cell: fibers in a periodic cell of sheared melt.
 #pragma once
 
 #include <vector>
 
 #include "dynamics/parameters.hpp"
-#include "fibers/cell.hpp"
 #include "fibers/flow.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "studies/run_choices.hpp"
 #include "studies/sample/case.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
 
-/// Names how the flow develops.
+/// How the flow develops.
 enum class FlowKind { constant, ramp, table };
 
-/// Holds [flow]: simple shear u_x = rate · y.
+/// [flow]: simple shear u_x = rate · y.
 struct FlowChoices {
   FlowKind kind = FlowKind::constant;
   std::optional<double> rate;       ///< 1/s
@@ -27,7 +26,7 @@ struct FlowChoices {
       table;  ///< rows (end time s, rate 1/s, viscosity Pa s); the last one lasts
 };
 
-/// Holds [output]: what is kept, and how often.
+/// [output]: what is kept, and how often.
 struct OutputChoices {
   std::optional<double> interval;  ///< simulated time between rows of series.csv, s; not given: duration/200
   std::optional<double>
@@ -39,17 +38,11 @@ struct OutputChoices {
   double near_critical = 50e-6;         ///< hinges within this of the critical radius are counted, m
 };
 
-/// Holds [run].
-struct RunChoices {
-  double duration = 0;  ///< simulated time, s
-  int threads = 0;      ///< 0: all that the machine has
-};
-
 struct ShearCellCase {
   SampleCase sample;
   FlowChoices flow;
-  Boundary boundary_y = Boundary::periodic;
-  DynamicsParameters dynamics;  ///< [drag], [contact], [breakage], [step] and run.seed
+  BoundaryChoices boundary;
+  DynamicsParameters dynamics;  ///< [drag], [contact], [breakage] and [step]; the seed is run.seed
   OutputChoices output;
   RunChoices run;
 };
@@ -58,8 +51,19 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values);
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_shear_cell(const ShearCellCase& values);
 
+/// The laws that a case may choose, with their names.
+[[nodiscard]] const Choices<DragLaw>& drag_laws();
+[[nodiscard]] const Choices<BreakageLaw>& breakage_laws();
+
+/// Gathers what the motion of fibers takes, with the seed of the run.
+[[nodiscard]] DynamicsParameters dynamics_parameters(const ShearCellCase& values);
 /// Makes the flow history of a valid case.
 [[nodiscard]] FlowHistory flow_history(const FlowChoices& flow);
+/// Shear strain from the start until `time`, the integral of the rate.
+[[nodiscard]] double shear_strain(const FlowHistory& flow, double time);
+/// Radius of curvature that counts as critical: that of the law `fixed`, or the one below which the other
+/// laws break every hinge, m.
+[[nodiscard]] double critical_radius(const BreakageParameters& breakage);
 /// Tells the simulated time between rows of series.csv, s.
 [[nodiscard]] double series_interval(const ShearCellCase& values);
 /// Tells the simulated time between frames of result.vtkhdf, s.

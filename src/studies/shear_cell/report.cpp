@@ -1,41 +1,15 @@
-// Builds the report of the study shear_cell from the files of its result folder.
+// The report of the study shear_cell from the files of its result folder.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "studies/sample/fiber_sections.hpp"
+#include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run.hpp"
-#include "studies/shear_cell/series.hpp"
 
 namespace fiberfate {
 namespace {
-
-const char* name(BreakageLaw law) {
-  switch (law) {
-    case BreakageLaw::none:
-      return "none";
-    case BreakageLaw::fixed:
-      return "fixed";
-    case BreakageLaw::probability:
-      return "probability";
-    case BreakageLaw::strength:
-      return "strength";
-  }
-  return "";
-}
-
-const char* name(DragLaw law) {
-  switch (law) {
-    case DragLaw::beads:
-      return "beads";
-    case DragLaw::beads_integer:
-      return "beads_integer";
-    case DragLaw::ellipsoid:
-      return "ellipsoid";
-  }
-  return "";
-}
 
 void append_flow(std::vector<Fact>& facts, const FlowChoices& flow) {
   if (flow.kind == FlowKind::table) {
@@ -50,7 +24,7 @@ void append_flow(std::vector<Fact>& facts, const FlowChoices& flow) {
 }
 
 void append_breakage(std::vector<Fact>& facts, const BreakageParameters& breakage) {
-  facts.push_back({"Breakage", std::string(name(breakage.law))});
+  facts.push_back({"Breakage", name_of(breakage_laws(), breakage.law)});
   if (breakage.law == BreakageLaw::fixed) facts.push_back({"Critical radius", breakage.critical_radius, "m"});
   if (breakage.law == BreakageLaw::probability || breakage.law == BreakageLaw::strength) {
     facts.push_back({"Every hinge breaks at radius", breakage.minimum_radius, "m"});
@@ -63,12 +37,12 @@ FactsSection asked(const ShearCellCase& values) {
   append_flow(section.rows, values.flow);
   section.rows.push_back({"Duration", values.run.duration, "s"});
   section.rows.push_back(
-      {"Boundary in y", std::string(values.boundary_y == Boundary::walls ? "walls" : "periodic")});
-  section.rows.push_back({"Drag", std::string(name(values.dynamics.drag))});
+      {"Boundary in y", std::string(values.boundary.y == Boundary::walls ? "walls" : "periodic")});
+  section.rows.push_back({"Drag", name_of(drag_laws(), values.dynamics.drag)});
   section.rows.push_back({"Contact force constant", values.dynamics.contact.force_constant, "N/m"});
   section.rows.push_back({"Friction coefficient", values.dynamics.contact.friction});
   append_breakage(section.rows, values.dynamics.breakage);
-  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.dynamics.seed)});
+  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});
   return section;
 }
 
@@ -78,33 +52,6 @@ FactsSection came_out(const SummaryFile& summary) {
                                              {"Shear strain", summary.number("strain")},
                                              {"Breaks", summary.count("breaks")}});
   return section;
-}
-
-void append_curves(std::vector<ReportSection>& sections, const CsvTable& series) {
-  sections.emplace_back(lines_over_time("mean_lengths", "Mean fiber lengths", {"length", "m"}, series,
-                                        {{"L_N_m", "L_N"}, {"L_W_m", "L_W"}}));
-  sections.emplace_back(lines_over_time("orientation", "Orientation", {"component of A_2"}, series,
-                                        {{"a11", "a_11"},
-                                         {"a22", "a_22"},
-                                         {"a33", "a_33"},
-                                         {"a12", "a_12", CurveStyle::dashed},
-                                         {"a13", "a_13", CurveStyle::dashed},
-                                         {"a23", "a_23", CurveStyle::dashed}}));
-  sections.emplace_back(
-      lines_over_time("breaks", "Breaks", {"breaks so far"}, series, {{"breaks", "breaks"}}));
-  sections.emplace_back(lines_over_time("near_critical", "Hinges near breaking", {"hinges"}, series,
-                                        {{"near_critical_hinges", "near critical"}}));
-  sections.emplace_back(lines_over_time("contacts", "Contacts", {"contacts a fiber"}, series,
-                                        {{"contacts_per_fiber", "contacts"}}));
-  sections.emplace_back(lines_over_time("overlap", "Overlap of fibers in contact", {"overlap", "radii"},
-                                        series,
-                                        {{"max_overlap_radii", "largest"}, {"mean_overlap_radii", "mean"}}));
-  sections.emplace_back(lines_over_time("dissipation", "Power dissipated by drag", {"power", "W/m3"}, series,
-                                        {{"drag_power_W_per_m3", "fibers"}}));
-  sections.emplace_back(lines_over_time("step", "Step size", {"step", "s", AxisScale::logarithmic}, series,
-                                        {{"dt_s", "step"}}));
-  sections.emplace_back(
-      lines_over_time("flow", "Shear rate", {"rate", "1/s"}, series, {{"rate_per_s", "rate"}}));
 }
 
 HistogramSection break_radius_section(const ShearCellCase& values, const CsvTable& breaks) {
@@ -140,7 +87,8 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
     document.stop_reason = summary.text("stop_reason");
     document.sections.emplace_back(came_out(summary));
   }
-  append_curves(document.sections, read_csv(folder.series()));
+  for (LinesSection& chart : draw(cell_charts(), cell_observables(), read_csv(folder.series())))
+    document.sections.emplace_back(std::move(chart));
   const VtkhdfReader frames(folder.frames());
   const std::vector<double> times = histogram_times(values, frames);
   document.sections.emplace_back(length_section(frames, times, values.output.length_bin));

@@ -7,13 +7,12 @@
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
-#include "fibers/observables.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
 #include "results/output_schedule.hpp"
 #include "studies/sample/start.hpp"
+#include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run_loop.hpp"
-#include "studies/shear_cell/series.hpp"
 #include "studies/shear_cell/status.hpp"
 
 namespace fiberfate {
@@ -83,9 +82,11 @@ ShearCellRun::ShearCellRun(const ShearCellCase& values, Session& session, Checkp
       series_times_{series_interval(values), {}},
       frame_times_(frame_schedule(values)),
       limits_(limits_of(values, session)),
-      simulation_(values.dynamics, flow_, std::move(from.state)),
-      series_(session.recorder().open_rows("series", shear_cell_columns(), from.record.series_rows)),
-      breaks_(session.recorder().open_rows("breaks", break_columns(), from.record.break_rows)),
+      simulation_(dynamics_parameters(values), flow_, std::move(from.state)),
+      series_(
+          session.recorder().open_rows("series", columns_of(cell_observables()), from.record.series_rows)),
+      breaks_(
+          session.recorder().open_rows("breaks", columns_of(break_observables()), from.record.break_rows)),
       frames_(session.recorder().open_frames("result", from.record.frames)),
       begin_time_(simulation_.state().time),
       begin_wall_(session.wall_s()) {
@@ -119,7 +120,7 @@ void ShearCellRun::write_outputs() {
   const FiberState& state = simulation_.state();
   const bool last = state.time >= limits_.end;
   if (last || series_times_.includes(state.time)) {
-    series_->append(shear_cell_row(values_, flow_, simulation_));
+    series_->append(measure(cell_observables(), moment_of(values_, flow_, simulation_)));
     series_->flush();
     breaks_->flush();
   }
@@ -127,7 +128,8 @@ void ShearCellRun::write_outputs() {
 }
 
 void ShearCellRun::take_breaks() {
-  for (const BreakEvent& event : simulation_.take_break_events()) breaks_->append(break_row(event));
+  for (const BreakEvent& event : simulation_.take_break_events())
+    breaks_->append(measure(break_observables(), event));
 }
 
 RunRecord ShearCellRun::record() const {
@@ -185,28 +187,21 @@ Outcome ShearCellRun::finish(const RunOutcome& outcome) {
 RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
   const FiberState& state = simulation_.state();
   const RunRecord now = record();
-  const double near = critical_radius(values_.dynamics.breakage) + values_.output.near_critical;
   RunSummary summary;
   summary.timings = simulation_.times();
-  const ContactStatistics contacts = simulation_.contact_statistics();
+  const CellMoment last = moment_of(values_, flow_, simulation_);
   describe_fibers(summary, state);
   summary.stop_reason = outcome.reason;
-  summary.seed = values_.dynamics.seed;
+  summary.seed = values_.run.seed;
   summary.wall_s = now.wall_s;
   summary.cpu_s = now.cpu_s;
   summary.segment_steps_per_s = outcome.speed();
-  summary.max_overlap = contacts.max_overlap;
-  summary.own = {{"strain", shear_strain(flow_, state.time)},
-                 {"A2_number", orientation_tensor(state, Weighting::number)},
-                 {"min_radius_m", minimum_radius(state)},
-                 {"near_critical_hinges", count_hinges(state, 0, near)},
-                 {"contacts", contacts.contacts},
-                 {"contacts_per_fiber", contacts.contacts_per_fiber},
-                 {"mean_overlap_radii", contacts.mean_overlap},
-                 {"dt_s", state.step_size},
-                 {"rejected_steps", now.rejections},
-                 {"stepping_s", outcome.stepping_seconds},
-                 {"lattice_m", state.cell.lattice}};
+  summary.max_overlap = last.contacts.max_overlap;
+  fiberfate::summarise(cell_observables(), last, summary);
+  summary.own.insert(summary.own.end(), {{"A2_number", last.a2_number},
+                                         {"rejected_steps", now.rejections},
+                                         {"stepping_s", outcome.stepping_seconds},
+                                         {"lattice_m", state.cell.lattice}});
   return summary;
 }
 
@@ -216,7 +211,7 @@ Outcome begin_run(const ShearCellCase& values, Session& session) {
   Checkpoint start;
   start.resolved_case = recorder.resolved_case();
   StartingFibers fibers =
-      make_fibers(values.sample, {values.dynamics.contact, values.boundary_y, values.dynamics.seed}, session);
+      make_fibers(values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed}, session);
   start.state = std::move(fibers.state);
   if (fibers.packing) warn_of_sinking_in(*fibers.packing, recorder);
   recorder.note(fmt::format("{} fibers of {} rods in all, {:.4g} % by volume, {} threads",

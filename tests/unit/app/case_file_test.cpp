@@ -79,7 +79,7 @@ TEST(CaseFile, IsTheSameBitsAfterBeingResolved) {
     // Numbers are written with the fewest digits that name their bits, so equal texts are equal bits.
     EXPECT_EQ(resolved_case(*second.kind, second.values), resolved);
     EXPECT_TRUE(second.warnings.empty());
-    EXPECT_EQ(shear_cell(first).dynamics.seed, shear_cell(second).dynamics.seed);
+    EXPECT_EQ(shear_cell(first).run.seed, shear_cell(second).run.seed);
     EXPECT_EQ(shear_cell(first).sample.cluster.orientation, shear_cell(second).sample.cluster.orientation);
   }
 }

@@ -1,0 +1,41 @@
+// The fits of a calibration and their rows in its tables.
+#include "studies/calibration/fits.hpp"
+
+#include <cctype>
+
+namespace fiberfate {
+namespace {
+
+/// Makes a name fit for a key: "50 rpm" becomes "50_rpm".
+std::string key_of(const std::string& name) {
+  std::string key;
+  for (const char letter : name) key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+  return key;
+}
+
+}  // namespace
+
+std::vector<FitName> fit_names(const CalibrationCase& values) {
+  if (values.search.scope == FitScope::together) return {{}};
+  std::vector<FitName> names;
+  for (const std::string& name : values.conditions.names)
+    names.push_back({static_cast<double>(names.size()), key_of(name) + "_", ", " + name});
+  return names;
+}
+
+std::vector<MeasuredSeries> series_of(const FitName& fit, const std::vector<MeasuredSeries>& all) {
+  std::vector<MeasuredSeries> some;
+  for (const MeasuredSeries& one : all)
+    if (fit.prefix.empty() || static_cast<double>(one.condition) == fit.number) some.push_back(one);
+  return some;
+}
+
+std::vector<double> pick(const CsvTable& table, double fit, double second, const std::string& column) {
+  const std::vector<double>& values = table.column(column);
+  std::vector<double> picked;
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    if (table.values[0][i] == fit && table.values[1][i] == second) picked.push_back(values[i]);
+  return picked;
+}
+
+}  // namespace fiberfate
