@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -155,6 +156,8 @@ ThermoelasticProperties aligned_composite(const CompositeMaterial& material, dou
   if (!(material.volume_fraction >= 0) || !(material.volume_fraction <= 1))
     throw InputError(fmt::format("a fiber volume fraction of {:g} is impossible", material.volume_fraction),
                      "it lies between 0 and 1");
+  require_number("fiber_expansion", material.fiber_expansion, any_finite);
+  require_number("matrix_expansion", material.matrix_expansion, any_finite);
   if (!(aspect_ratio > 0) || !std::isfinite(aspect_ratio))
     throw InputError(fmt::format("an aspect ratio of {:g} is impossible", aspect_ratio), "it is positive");
   ThermoelasticProperties properties;
@@ -168,7 +171,7 @@ ThermoelasticProperties length_average(const CompositeMaterial& material,
   ThermoelasticProperties sum;
   double shares = 0;
   for (const AspectRatioClass& one : classes) {
-    if (!(one.volume_share >= 0))
+    if (!(one.volume_share >= 0) || !std::isfinite(one.volume_share))
       throw InputError(fmt::format("a volume share of {:g} is impossible", one.volume_share),
                        "shares are not negative");
     if (one.volume_share == 0) continue;

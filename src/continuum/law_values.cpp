@@ -19,6 +19,9 @@ void check_law_values(std::string_view law, const std::vector<LawParameter>& par
     const LawParameter& parameter = parameters[i];
     if (std::isnan(values[i]))
       throw InputError(fmt::format("the law '{}' needs a value for {}", law, parameter.name), "give one");
+    if (std::isinf(values[i]))
+      throw InputError(fmt::format("{} of the law '{}' is infinite", parameter.name, law),
+                       "give a finite number");
     if (values[i] < parameter.lower || values[i] > parameter.upper)
       throw InputError(fmt::format("{} = {:g} of the law '{}' is outside of [{:g}, {:g}] {}", parameter.name,
                                    values[i], law, parameter.lower, parameter.upper, parameter.unit),

@@ -10,7 +10,7 @@
 namespace fiberfate {
 
 /// Raises InputError, which names the law and the parameter, unless there is one value a parameter, none of
-/// them NaN and each within its parameter's bounds.
+/// them NaN or infinite and each within its parameter's bounds.
 void check_law_values(std::string_view law, const std::vector<LawParameter>& parameters,
                       std::span<const double> values);
 

@@ -22,8 +22,9 @@ std::unique_ptr<AttritionLaw> fragmentation(Values v, BreakageRate breakage_rate
   return make_fragmentation_law({v[0], v[1], v[2], v[3], v[4], v[5], breakage_rate});
 }
 
-const LawParameter strength = {"sigma_u", "Pa", "Tensile strength of the fiber", 2e9};
-const LawParameter diameter = {"d_f", "m", "Diameter of the fiber", 19e-6};
+/// Zero would divide by nothing: a pascal and a nanometre are less than any fiber has.
+const LawParameter strength = {"sigma_u", "Pa", "Tensile strength of the fiber", 2e9, 1};
+const LawParameter diameter = {"d_f", "m", "Diameter of the fiber", 19e-6, 1e-9};
 const LawParameter lambda = {"lambda", "1", "Interaction coefficient of the unbreakable length", unknown};
 
 std::vector<LawParameter> phelps_parameters() {

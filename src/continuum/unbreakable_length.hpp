@@ -31,6 +31,7 @@ struct UnbreakableLength {
 
   LengthRelaxation operator()(const LengthFlow& flow) const {
     const double stress = flow.viscosity * flow.rate;
+    if (!(stress > 0)) return {breakage_factor * flow.rate, HUGE_VAL};
     return {breakage_factor * flow.rate, lambda * diameter * std::sqrt(strength / stress)};
   }
 };
@@ -47,8 +48,8 @@ struct RatePower {
   double diameter;         ///< d_f, m
 
   LengthRelaxation operator()(const LengthFlow& flow) const {
-    if (!(flow.rate > 0)) return {0, HUGE_VAL};
     const double stress = flow.viscosity * flow.rate;
+    if (!(stress > 0)) return {0, HUGE_VAL};
     return {breakage_factor * std::pow(flow.rate, beta),
             lambda * diameter * std::pow(strength / stress, alpha)};
   }

@@ -1,8 +1,9 @@
 // Defines the list of viscosity laws.
-#include <cassert>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
+#include "base/number_checks.hpp"
 #include "continuum/law_values.hpp"
 #include "continuum/viscosity.hpp"
 
@@ -12,20 +13,38 @@ namespace {
 using Values = std::span<const double>;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// At 0 K, which stands for a temperature that nobody gave, Cross-WLF would take the melt for solid.
+template <class Formula>
+constexpr bool needs_temperature = std::is_same_v<Formula, CrossWlf>;
+
 template <class Formula>
 class ViscosityLawOf final : public ViscosityLaw {
  public:
   explicit ViscosityLawOf(const Formula& formula) : formula_(formula) {}
-  [[nodiscard]] double at(const MeltState& melt) const override { return formula_(melt); }
+  [[nodiscard]] double at(const MeltState& melt) const override {
+    check(melt);
+    return formula_(melt);
+  }
   void evaluate(Values rates, Values temperatures, Values pressures,
                 std::span<double> viscosities) const override {
-    assert(viscosities.size() == rates.size());
-    for (std::size_t i = 0; i < rates.size(); ++i)
-      viscosities[i] = formula_(
-          {rates[i], temperatures.empty() ? 0.0 : temperatures[i], pressures.empty() ? 0.0 : pressures[i]});
+    require_same_size("viscosities", viscosities.size(), rates.size());
+    if (!temperatures.empty()) require_same_size("temperatures", temperatures.size(), rates.size());
+    if (!pressures.empty()) require_same_size("pressures", pressures.size(), rates.size());
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      const MeltState melt = {rates[i], temperatures.empty() ? 0.0 : temperatures[i],
+                              pressures.empty() ? 0.0 : pressures[i]};
+      check(melt);
+      viscosities[i] = formula_(melt);
+    }
   }
 
  private:
+  static void check(const MeltState& melt) {
+    require_number("rate", melt.rate, not_negative);
+    require_number("temperature", melt.temperature, needs_temperature<Formula> ? positive : not_negative);
+    require_number("pressure", melt.pressure, any_finite);
+  }
+
   Formula formula_;
 };
 

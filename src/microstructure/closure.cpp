@@ -10,6 +10,8 @@
 
 #include "base/error.hpp"
 #include "base/kernels.hpp"
+#include "base/number_checks.hpp"
+#include "microstructure/admissibility.hpp"
 #include "microstructure/closure_block.hpp"
 
 namespace fiberfate {
@@ -80,6 +82,7 @@ Closure closure_named(std::string_view name) {
 }
 
 Mat6 close(const Mat3& second, Closure closure) {
+  require_forgivable(second);
   // Lane n contracts with the unit tensor (e_k e_l + e_l e_k)/2, which gives the column kl of A4.
   alignas(64) Lanes state{}, units{}, columns{};
   const Vec6 a = to_components(second);
@@ -94,6 +97,8 @@ Mat6 close(const Mat3& second, Closure closure) {
 }
 
 Mat3 closed_double_dot(const Mat3& second, const Mat3& symmetric, Closure closure) {
+  require_forgivable(second);
+  require_numbers("symmetric", symmetric.reshaped(), any_finite);
   alignas(64) Lanes state{}, factor{}, product{};
   const Vec6 a = to_components(second), g = to_components(symmetric);
   for (int m = 0; m < 6; ++m) {
