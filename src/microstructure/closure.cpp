@@ -1,14 +1,12 @@
 // Calls the closure kernels for single states and keeps the list of closures.
 #include "microstructure/closure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
+#include <string>
 
-#include "base/error.hpp"
+#include "base/entry_by_name.hpp"
 #include "base/kernels.hpp"
 #include "base/number_checks.hpp"
 #include "microstructure/admissibility.hpp"
@@ -70,15 +68,7 @@ Closure closure_named(std::string_view name) {
   std::string wanted(name);
   std::ranges::transform(wanted, wanted.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  std::vector<std::string> names;
-  for (const ClosureDescription& one : descriptions) {
-    if (one.name == wanted) return one.closure;
-    names.emplace_back(one.name);
-  }
-  const std::string near = nearest_word(wanted, names);
-  throw InputError(fmt::format("there is no closure '{}'", name),
-                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  return entry_named(descriptions, "closure", wanted).closure;
 }
 
 Mat6 close(const Mat3& second, Closure closure) {

@@ -1,5 +1,5 @@
-// Throws some 18 000 seeded random calls at the C interface: every one returns a status, failures say why, nothing
-// crashes.
+// Throws some 18 000 seeded random calls at the C interface: every one returns a status, failures say why,
+// nothing crashes.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -14,6 +14,7 @@
 #include "continuum/orientation_steady.hpp"
 #include "continuum/phelps.hpp"
 #include "continuum/viscosity.hpp"
+#include "continuum/viscosity_cross.hpp"
 #include "microstructure/closure.hpp"
 
 namespace fiberfate {
