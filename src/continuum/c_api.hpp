@@ -69,10 +69,12 @@ void require_rows(std::size_t rows, std::size_t width);
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(entries);
 }
 inline void write_tensor(const Mat3& tensor, double* components) {
-  Eigen::Map<Vec6>(components) = to_components(tensor);
+  Eigen::Map<Vec6> to(components);
+  to = to_components(tensor);
 }
 inline void write_fourth(const Mat6& tensor, double* components) {
-  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>>(components) = tensor;
+  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> to(components);
+  to = tensor;
 }
 
 }  // namespace fiberfate

@@ -23,7 +23,8 @@ Eigen::VectorXd coefficients(const fiberfate_distribution* distribution, const d
 }
 
 void write_coefficients(const Eigen::VectorXd& from, double* psi) {
-  Eigen::Map<Eigen::VectorXd>(psi, from.size()) = from;
+  Eigen::Map<Eigen::VectorXd> to(psi, from.size());
+  to = from;
 }
 
 }  // namespace
