@@ -140,7 +140,7 @@ void describe_length_form(KeyTable& table, const std::string& section, Attrition
                {.text = "What a class keeps while it becomes shorter; not for phelps and durin."});
   table.count(section + ".bins", fibers.bins,
               {.text = "Bins of phelps and durin. L_ub should span several of them.",
-               .range = Range::between(2, 100000)});
+               .range = Range::between(2, static_cast<double>(most_bins))});
   table.quantity(section + ".largest_length", fibers.largest_length,
                  {.text = "Length of the last bin; not given: the longest fiber at the start.",
                   .unit = "m",
