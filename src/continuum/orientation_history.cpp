@@ -119,7 +119,7 @@ void OrientationIntegrator::advance_to(double time) {
   while (state_.time < time) {
     const double end = std::min(time, history_.next_change(state_.time));
     const Mat3& gradient = history_.at(state_.time);
-    if (!advance_explicitly(gradient, end - state_.time) && !advance_axes(gradient, end - state_.time))
+    if (!advance_over(gradient, end - state_.time))
       throw SimulationFailure(
           fmt::format("the orientation cannot be integrated beyond {:g} s within the tolerance", state_.time),
           {.step = record_.accepted, .time = state_.time});
@@ -127,7 +127,16 @@ void OrientationIntegrator::advance_to(double time) {
   }
 }
 
-bool OrientationIntegrator::advance_explicitly(const Mat3& gradient, double duration) {
+bool OrientationIntegrator::advance_over(const Mat3& gradient, double duration) {
+  if (acts_on_principal_values(law_.model().retardation)) {
+    const std::int64_t few = std::min(tolerance_.most_steps, most_explicit_steps);
+    if (advance_explicitly(gradient, duration, few) || advance_axes(gradient, duration)) return true;
+  }
+  return advance_explicitly(gradient, duration, tolerance_.most_steps);
+}
+
+bool OrientationIntegrator::advance_explicitly(const Mat3& gradient, double duration,
+                                               std::int64_t most_steps) {
   const auto slope = [&](const Vec6& a, Vec6& rate) {
     rate = weighed(law_.unchecked_rate(unweighed(a), gradient));
   };
@@ -142,8 +151,7 @@ bool OrientationIntegrator::advance_explicitly(const Mat3& gradient, double dura
     return true;
   };
   IntegrationTolerance tolerance = tolerance_;
-  if (acts_on_principal_values(law_.model().retardation))
-    tolerance.most_steps = std::min(tolerance.most_steps, most_explicit_steps);
+  tolerance.most_steps = most_steps;
   Vec6 a = weighed(state_.second);
   if (!integrate(slope, a, duration, tolerance, record_, settle) || !a.allFinite()) return false;
   projections_ += projections;
@@ -152,10 +160,11 @@ bool OrientationIntegrator::advance_explicitly(const Mat3& gradient, double dura
 }
 
 bool OrientationIntegrator::advance_axes(const Mat3& gradient, double duration) {
-  if (!acts_on_principal_values(law_.model().retardation)) return false;
   const double error = tolerance_.absolute + tolerance_.relative * state_.second.norm();
   PrincipalAxesSteps steps(law_.model(), gradient, error);
-  if (!steps.advance(state_.second, duration, tolerance_.most_steps)) return false;
+  Mat3 second = state_.second;
+  if (!steps.advance(second, duration, tolerance_.most_steps)) return false;
+  state_.second = second;
   record_.accepted += steps.accepted();
   record_.rejected += steps.rejected();
   record_.next_step = 0;  // explicit steps begin anew: they had become tiny

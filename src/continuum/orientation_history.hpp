@@ -71,7 +71,9 @@ class OrientationIntegrator {
   [[nodiscard]] std::int64_t projections() const { return projections_; }
 
  private:
-  [[nodiscard]] bool advance_explicitly(const Mat3& gradient, double duration);
+  /// Each of these leaves the state as it is when it returns false.
+  [[nodiscard]] bool advance_over(const Mat3& gradient, double duration);
+  [[nodiscard]] bool advance_explicitly(const Mat3& gradient, double duration, std::int64_t most_steps);
   /// Goes on where explicit steps would become tiny beside equal principal values.
   [[nodiscard]] bool advance_axes(const Mat3& gradient, double duration);
 

@@ -108,11 +108,8 @@ void require_sound(const OrientationPoints& points) {
 /// Explicit steps after which a law that acts on principal values is followed by principal_axes_steps.hpp.
 constexpr int most_explicit_steps = 2000;
 
-/// Advances one point by itself; returns false when it needs too many steps.
-bool advance_alone(const OrientationModel& model, const OrientationPoints& point, const OrientationStep& step,
-                   OrientationAdvance& advance) {
-  if (!acts_on_principal_values(model.retardation))
-    return advance_on_this_thread(model, point, step, advance.put_back) == 1;
+bool advance_along_axes(const OrientationModel& model, const OrientationPoints& point,
+                        const OrientationStep& step, OrientationAdvance& advance) {
   PrincipalAxesSteps steps(model, gradient_at(point, 0), step.tolerance);
   Mat3 second = second_at(point, 0);
   if (!steps.advance(second, step.duration, step.most_steps)) return false;
@@ -120,6 +117,14 @@ bool advance_alone(const OrientationModel& model, const OrientationPoints& point
   const Vec6 a = to_components(second);
   for (int m = 0; m < 6; ++m) point.result[m][0] = a[m];
   return true;
+}
+
+/// Advances one point by itself; returns false when it needs too many steps.
+bool advance_alone(const OrientationModel& model, const OrientationPoints& point, const OrientationStep& step,
+                   OrientationAdvance& advance) {
+  if (acts_on_principal_values(model.retardation) && advance_along_axes(model, point, step, advance))
+    return true;
+  return advance_on_this_thread(model, point, step, advance.put_back) == 1;
 }
 
 /// Advances consecutive points; returns how many it did, which is all of them unless one needs too many
