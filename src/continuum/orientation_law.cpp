@@ -112,7 +112,9 @@ bool advance_along_axes(const OrientationModel& model, const OrientationPoints& 
                         const OrientationStep& step, OrientationAdvance& advance) {
   PrincipalAxesSteps steps(model, gradient_at(point, 0), step.tolerance);
   Mat3 second = second_at(point, 0);
-  if (!steps.advance(second, step.duration, step.most_steps)) return false;
+  // As many evaluations as explicit steps of four would take.
+  const std::int64_t most_steps = 1 + 4 * std::int64_t{step.most_steps} / PrincipalAxesSteps::evaluations;
+  if (!steps.advance(second, step.duration, most_steps)) return false;
   advance.put_back += steps.put_back() > 0 ? 1 : 0;
   const Vec6 a = to_components(second);
   for (int m = 0; m < 6; ++m) point.result[m][0] = a[m];

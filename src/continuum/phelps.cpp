@@ -30,6 +30,7 @@ double buckling_coefficient(const PhelpsConstants& constants, const LengthFlow& 
 }
 
 double unbreakable_length(const PhelpsConstants& constants, const LengthFlow& flow) {
+  flow.check();
   const double coefficient = buckling_coefficient(constants, {flow.rate, flow.viscosity, 1});
   return coefficient > 0 ? std::pow(coefficient, -0.25) : std::numeric_limits<double>::infinity();
 }

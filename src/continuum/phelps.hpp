@@ -28,8 +28,9 @@ struct PhelpsConstants {
 
 /// Tells the unbreakable length L_ub = (pi^3 E_f d_f^4/(4 zeta eta rate))^(1/4), m: the length at which the
 /// drag on a fiber in the most compressed direction of the flow equals its Euler buckling load. Infinite
-/// without flow. Source: Phelps, Abd El-Rahman, Kunc, Tucker, "A model for fiber length attrition in
-/// injection-molded long-fiber composites", Composites A 51 (2013) 11; thesis (2.7), (2.8).
+/// without flow. Raises InputError for an impossible flow. Source: Phelps, Abd El-Rahman, Kunc, Tucker, "A
+/// model for fiber length attrition in injection-molded long-fiber composites", Composites A 51 (2013) 11;
+/// thesis (2.7), (2.8).
 [[nodiscard]] double unbreakable_length(const PhelpsConstants& constants, const LengthFlow& flow);
 
 /// Tells 1/L_ub^4, 1/m^4, times the compression, which is what the rates below are computed from: 0 without

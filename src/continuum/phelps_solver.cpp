@@ -23,8 +23,8 @@ constexpr std::size_t lanes = 8;
 constexpr double series_tolerance = 1e-14;
 /// Events Qt a fiber may meet in one part of a step: more cost more parts, fewer waste the series' start.
 constexpr double largest_exposure = 32;
-/// Parts of a step after which a flow counts as impossible: fibers would break thirty million times.
-constexpr double most_parts = 1e6;
+/// Parts of a step after which a flow counts as impossible: fibers would break three million times.
+constexpr double most_parts = 1e5;
 /// Parts after which a long step is looked at: it ends where nothing that can break is left.
 constexpr double parts_between_looks = 64;
 /// Enough for the tolerance at the largest exposure (the rest is below 1e-14 after 84 terms).

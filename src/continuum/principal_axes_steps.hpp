@@ -29,6 +29,9 @@ class PrincipalAxesSteps {
   /// to.
   bool advance(Mat3& second, double duration, std::int64_t most_steps);
 
+  /// Rates that a step evaluates, 1 + 2 + ... + 6.
+  static constexpr int evaluations = 21;
+
   [[nodiscard]] std::int64_t accepted() const { return accepted_; }
   [[nodiscard]] std::int64_t rejected() const { return rejected_; }
   /// Steps after which the state was returned to the admissible ones.

@@ -1,4 +1,4 @@
-// Throws some 18 000 seeded random calls at the C interface: every one returns a status, failures say why,
+// Throws some 4500 seeded random calls at the C interface: every one returns a status, failures say why,
 // nothing crashes.
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ class Fuzz : public ::testing::Test {
 
 void Fuzz::orientation() {
   const char* model = draw.word({"folgar_tucker", "rsc", "iard_rpr", "mrd+rsc", "pard"});
-  const char* closure = draw.word({"ibof", "ore", "hybrid", "exact", "linear"});
+  const char* closure = draw.word({"ibof", "ore", "hybrid", "linear"});
   auto constants = draw.constants({{"C_I", 0.02}});
   fiberfate_orientation_law* law = nullptr;
   expect_status(fiberfate_orientation_create(model, closure, constants.data(), constants.size(), &law));
@@ -209,7 +209,7 @@ void Fuzz::distribution() {
 }
 
 TEST_F(Fuzz, EveryCallReturnsAStatusWithWords) {
-  for (int round = 0; round < 800 && !HasFatalFailure(); ++round) {
+  for (int round = 0; round < 200 && !HasFatalFailure(); ++round) {
     orientation();
     length();
     breakage();
@@ -217,8 +217,8 @@ TEST_F(Fuzz, EveryCallReturnsAStatusWithWords) {
     distribution();
   }
   // Both ways are taken often, or the test shows nothing.
-  EXPECT_GT(done, 4000);
-  EXPECT_GT(refused, 4000);
+  EXPECT_GT(done, 1000);
+  EXPECT_GT(refused, 1000);
   RecordProperty("done", done);
   RecordProperty("refused", refused);
 }
