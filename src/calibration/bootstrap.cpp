@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "base/random.hpp"
 #include "calibration/weighted_residuals.hpp"
 
@@ -56,6 +57,9 @@ double standard_deviation(const std::vector<double>& values) {
 }  // namespace
 
 Bootstrap bootstrap(const FitProblem& problem, const FitResult& fit, const BootstrapOptions& options) {
+  require_number("level", options.level, {.lower = 0, .upper = 1 - 1e-12, .above_lower = true});
+  require_number("samples", options.samples, {.lower = 2});
+  require_same_size("predictions", fit.predictions.size(), problem.observation_count());
   if (fit.degrees_of_freedom <= 0)
     throw InputError("a fit without degrees of freedom cannot be bootstrapped",
                      "observe more, or fix parameters");

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "base/random.hpp"
 #include "calibration/least_squares.hpp"
 #include "calibration/student.hpp"
@@ -215,8 +216,15 @@ void find_what_to_know(const FitProblem& problem, const FitCoordinates& coordina
 
 }  // namespace
 
+void FitOptions::check() const {
+  require_number("level", level, {.lower = 0, .upper = 1 - 1e-12, .above_lower = true});
+  require_number("most_iterations", most_iterations, {.lower = 1});
+  require_number("starts", starts, {.lower = 1});
+}
+
 FitResult fit(const FitProblem& problem, const FitOptions& options) {
   problem.check();
+  options.check();
   FitResult result;
   result.values = problem.initial_values();
   // Outside of the search, so that what the model says about bad input reaches the user.

@@ -18,6 +18,9 @@ struct FitOptions {
   int most_iterations = 200;
   int starts = 1;  ///< searches from as many places; the best is kept (1: from the initial values only)
   std::uint64_t seed = 1;  ///< of the other places
+
+  /// Raises InputError unless 0 < level < 1 and there is at least one iteration and one start.
+  void check() const;
 };
 
 /// Holds an interval; an end that the data do not determine is infinite, one that cannot be told is NaN.
@@ -52,7 +55,9 @@ enum class FindingKind {
   unidentifiable,      ///< a combination of parameters that changes no prediction
   nearly_collinear,    ///< two parameters whose correlation exceeds 0.99
   at_bound,
-  not_converged
+  not_converged,
+  several_minima,  ///< a profile that jumps from one minimum to another, or an interval in parts
+  better_fit       ///< a profile that came below the fit
 };
 
 /// Holds one thing that a user must know about a fit, in a sentence.
@@ -79,8 +84,8 @@ struct FitResult {
   int agreeing_starts = 1;  ///< how many of the starts reached this minimum
 };
 
-/// Fits a problem. Raises InputError for a problem that cannot be posed (FitProblem::check) or whose model
-/// fails at the initial values.
+/// Fits a problem. Raises InputError for a problem that cannot be posed (FitProblem::check), impossible
+/// options, or a model that fails at the initial values.
 ///
 /// The estimate minimises chi^2 = sum (observed - predicted)^2/uncertainty^2. Its covariance is s^2 (J^T
 /// J)^-1 with the Jacobian J of the weighted residuals; the pseudo-inverse leaves out combinations whose

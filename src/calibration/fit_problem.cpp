@@ -16,6 +16,8 @@ void check_parameter(const FitParameter& parameter) {
   };
   if (!std::isfinite(parameter.initial)) refuse("has no initial value", "give one");
   if (parameter.role == ParameterRole::fixed) return;
+  if (std::isnan(parameter.lower) || std::isnan(parameter.upper))
+    refuse("has a bound that is not a number", "give a number, or infinity for none");
   if (!(parameter.lower < parameter.upper))
     refuse("has a lower bound that is not below the upper one", "swap them");
   if (parameter.initial < parameter.lower || parameter.initial > parameter.upper)
@@ -68,6 +70,7 @@ std::vector<double> FitProblem::predict(std::span<const double> values) const {
 }
 
 void FitProblem::check() const {
+  if (!model) throw InputError("there is no model to fit", "give one");
   if (free_parameters().empty()) throw InputError("no parameter is free", "free at least one");
   if (series.empty()) throw InputError("there is nothing to fit", "give at least one series");
   for (const FitParameter& parameter : parameters) check_parameter(parameter);

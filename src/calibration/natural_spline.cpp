@@ -2,13 +2,20 @@
 #include "calibration/natural_spline.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <functional>
+
+#include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 
 NaturalSpline::NaturalSpline(std::vector<double> x, std::vector<double> y)
     : x_(std::move(x)), y_(std::move(y)), bend_(x_.size(), 0.0) {
-  assert(x_.size() >= 2 && x_.size() == y_.size());
+  require_same_size("y", y_.size(), x_.size());
+  require_numbers("x", x_, any_finite);
+  require_numbers("y", y_, any_finite);
+  if (x_.size() < 2 || std::ranges::adjacent_find(x_, std::greater_equal<>()) != x_.end())
+    throw InputError("the points of a spline do not rise", "give at least two in rising order");
   const std::size_t n = x_.size();
   std::vector<double> upper(n, 0.0), right(n, 0.0);
   for (std::size_t i = 1; i + 1 < n; ++i) {

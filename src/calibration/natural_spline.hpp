@@ -8,7 +8,7 @@ namespace fiberfate {
 /// Holds the spline through points: two times continuously differentiable, without bend at the ends.
 class NaturalSpline {
  public:
-  /// Takes at least two points, x rising.
+  /// Takes at least two points, x rising; raises InputError otherwise.
   NaturalSpline(std::vector<double> x, std::vector<double> y);
   /// Evaluates the spline; beyond its ends, the cubic of the first or last interval.
   [[nodiscard]] double at(double x) const;

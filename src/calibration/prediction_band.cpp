@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "calibration/least_squares.hpp"
 #include "calibration/student.hpp"
 
@@ -12,6 +13,8 @@ namespace fiberfate {
 
 PredictionBand predict_with_band(const FitProblem& problem, const FitResult& fit,
                                  const PredictionRequest& request, double level) {
+  require_numbers("uncertainty", request.uncertainty, not_negative);
+  require_same_size("values", fit.values.size(), problem.parameters.size());
   const FitCoordinates coordinates(problem);
   const auto predict = [&](std::span<const double> position, std::span<double> predictions) {
     std::vector<double> parameters = fit.values;

@@ -11,6 +11,8 @@
 #include <unsupported/Eigen/SpecialFunctions>
 #pragma GCC diagnostic pop
 
+#include "base/number_checks.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -24,6 +26,7 @@ double coverage(double t, double degrees_of_freedom) {
 }  // namespace
 
 double student_quantile(double level, double degrees_of_freedom) {
+  require_number("level", level, {.lower = 0, .upper = 1 - 1e-12, .above_lower = true});
   if (!(degrees_of_freedom > 0)) return std::numeric_limits<double>::quiet_NaN();
   double low = 0, high = 1;
   while (coverage(high, degrees_of_freedom) < level && high < 1e12) high *= 2;

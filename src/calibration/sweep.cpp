@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -18,6 +19,8 @@ std::vector<double> all_observations(const FitProblem& problem) {
 }
 
 void check(const SweepRequest& request) {
+  require_number("lower", request.lower, any_finite);
+  require_number("upper", request.upper, any_finite);
   if (!(request.lower < request.upper))
     throw InputError("the bounds of the sweep are out of order", "swap them");
   if (request.spacing == ParameterScale::logarithmic && !(request.lower > 0))
@@ -32,7 +35,9 @@ double refine_minimum(double low, double high, const Function& error) {
   constexpr double golden = std::numbers::phi - 1;
   double left = high - golden * (high - low), right = low + golden * (high - low);
   double at_left = error(left), at_right = error(right);
-  while (high - low > 1e-6 * (std::abs(low) + std::abs(high))) {
+  // A minimum at zero has no size of its own: the bracket's stands for it.
+  const double width = high - low;
+  while (high - low > std::max(1e-6 * (std::abs(low) + std::abs(high)), 1e-9 * width)) {
     if (at_left < at_right) {
       high = right;
       right = left;
@@ -53,6 +58,7 @@ double refine_minimum(double low, double high, const Function& error) {
 }  // namespace
 
 double average_error_percent(std::span<const double> observed, std::span<const double> predicted) {
+  require_same_size("predicted", predicted.size(), observed.size());
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < observed.size(); ++i) {
@@ -60,7 +66,7 @@ double average_error_percent(std::span<const double> observed, std::span<const d
     sum += std::abs((predicted[i] - observed[i]) / observed[i]);
     ++count;
   }
-  return count > 0 ? 100 * sum / static_cast<double>(count) : 0.0;
+  return count > 0 ? 100 * sum / static_cast<double>(count) : std::nan("");
 }
 
 std::vector<double> swept_values(const SweepRequest& request) {
@@ -76,7 +82,14 @@ std::vector<double> swept_values(const SweepRequest& request) {
 }
 
 Sweep sweep(const FitProblem& problem, std::span<const double> values, const SweepRequest& request) {
+  problem.check();
+  require_same_size("values", values.size(), problem.parameters.size());
+  require_number("parameter", static_cast<double>(request.parameter),
+                 {.lower = 0, .upper = static_cast<double>(values.size()) - 1});
   const std::vector<double> observed = all_observations(problem);
+  if (std::ranges::all_of(observed, [](double one) { return one == 0; }))
+    throw InputError("all observations are zero, and no error relative to them exists",
+                     "observe something else");
   std::vector<double> parameters(values.begin(), values.end());
   const auto predict = [&](double value) {
     parameters[request.parameter] = value;
@@ -87,6 +100,7 @@ Sweep sweep(const FitProblem& problem, std::span<const double> values, const Swe
   result.series_errors.resize(problem.series.size());
   for (const double value : result.values) {
     const std::vector<double> predicted = predict(value);
+    require_numbers("predicted", predicted, any_finite);
     result.errors.push_back(average_error_percent(observed, predicted));
     std::size_t begin = 0;
     for (std::size_t k = 0; k < problem.series.size(); ++k) {

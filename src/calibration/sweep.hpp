@@ -8,7 +8,7 @@
 namespace fiberfate {
 
 /// Tells the average error of predictions, in per cent: the mean of |predicted - observed|/observed over all
-/// observations that are not zero (thesis 4.7, 4.8).
+/// observations that are not zero (thesis 4.7, 4.8); NaN when all are.
 [[nodiscard]] double average_error_percent(std::span<const double> observed,
                                            std::span<const double> predicted);
 

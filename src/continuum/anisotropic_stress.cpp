@@ -7,14 +7,27 @@
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
+namespace {
+
+void require_flow(const Mat3& strain, const Mat6& fourth) {
+  require_numbers("strain", strain.reshaped(), any_finite);
+  require_numbers("fourth", fourth.reshaped(), any_finite);
+}
+
+}  // namespace
 
 Mat3 anisotropic_stress(double viscosity, double fiber_term, const Mat3& strain, const Mat6& fourth) {
+  require_number("viscosity", viscosity, not_negative);
+  require_number("fiber_term", fiber_term, not_negative);
+  require_flow(strain, fourth);
   return 2 * viscosity * (strain + fiber_term * contracted(fourth, strain));
 }
 
 double stretching_share(const Mat3& strain, const Mat6& fourth) {
+  require_flow(strain, fourth);
   const double largest = strain.cwiseAbs().maxCoeff();
   if (!(largest > 0)) {
     double traced = 0;
@@ -27,11 +40,13 @@ double stretching_share(const Mat3& strain, const Mat6& fourth) {
 
 double informed_isotropic_viscosity(double viscosity, double trouton_term, const Mat3& strain,
                                     const Mat6& fourth) {
+  require_number("viscosity", viscosity, not_negative);
+  require_number("trouton_term", trouton_term, not_negative);
   return viscosity * (1 + trouton_term * stretching_share(strain, fourth));
 }
 
 double particle_number(double aspect_ratio, double volume_fraction) {
-  if (!(aspect_ratio > 1) || !(volume_fraction > 0) || !(volume_fraction < 1))
+  if (!(aspect_ratio > 1) || !std::isfinite(aspect_ratio) || !(volume_fraction > 0) || !(volume_fraction < 1))
     throw InputError(
         fmt::format("no particle number belongs to an aspect ratio of {:g} and a volume fraction of {:g}",
                     aspect_ratio, volume_fraction),

@@ -8,6 +8,7 @@ namespace fiberfate {
 
 /// Extra stress tau = 2 eta D + 2 eta phi N_p A4:D (2.12), Pa.
 /// `viscosity` eta of the matrix (Pa s), `fiber_term` phi N_p (1), `strain` D (1/s), A4 as [ij][kl].
+/// Raises InputError for numbers that are not finite or a negative viscosity or fiber term, as those below.
 /// Neglected: Brownian stress, normal stresses of the matrix. Source: Tucker, J. Non-Newton. Fluid Mech. 39,
 /// 239 (1991).
 [[nodiscard]] Mat3 anisotropic_stress(double viscosity, double fiber_term, const Mat3& strain,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -12,6 +13,13 @@ namespace {
 const LengthClasses& no_population() {
   static const LengthClasses empty;
   return empty;
+}
+
+void check_means(const MeanLengths& means) {
+  require_number("number_average", means.number_average, positive);
+  require_number("weight_average", means.weight_average, positive);
+  if (means.weight_average < means.number_average * (1 - 1e-9))
+    throw InputError("the weight average length is below the number average", "exchange them");
 }
 
 class MeansRelaxation final : public LengthEvolution {
@@ -54,7 +62,7 @@ class ClassesRelaxation final : public LengthEvolution {
 class BinsFragmentation final : public LengthEvolution {
  public:
   BinsFragmentation(const PhelpsConstants& constants, const LengthClasses& initial, const LengthBins& bins)
-      : solver_(constants, bins), classes_{bins.lengths(), sort_into_bins(initial, bins)} {}
+      : solver_(constants, bins), classes_{bins.lengths(), sort_into_bins(initial, bins), bins.width()} {}
   void advance(const LengthFlow& flow, double duration) override {
     solver_.advance(flow, duration, classes_.numbers);
   }
@@ -70,8 +78,10 @@ class RelaxationAttrition final : public AttritionLaw {
  public:
   explicit RelaxationAttrition(std::unique_ptr<RelaxationLaw> law) : law_(std::move(law)) {}
   [[nodiscard]] std::unique_ptr<LengthEvolution> start(const LengthStart& start) const override {
-    if (start.form == LengthForm::means && start.means)
+    if (start.form == LengthForm::means && start.means) {
+      check_means(*start.means);
       return std::make_unique<MeansRelaxation>(*law_, *start.means);
+    }
     start.initial.check();
     if (start.form == LengthForm::means)
       return std::make_unique<MeansRelaxation>(*law_, mean_lengths(start.initial));

@@ -5,6 +5,7 @@
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -30,6 +31,9 @@ double mean_rate(const CouetteRheometer& rheometer, double speed) {
 }  // namespace
 
 double shear_rate(const CouetteRheometer& rheometer, double revolutions_per_minute) {
+  require_number("revolutions_per_minute", revolutions_per_minute, not_negative);
+  require_number("outer_radius", rheometer.outer_radius, any_finite);
+  require_number("power_law_index", rheometer.power_law_index, any_finite);
   if (!(rheometer.inner_radius > 0) || !(rheometer.outer_radius > rheometer.inner_radius))
     throw InputError("the radii of the Couette rheometer do not enclose a gap",
                      "give inner_radius above zero and outer_radius above it");

@@ -45,19 +45,29 @@ class FokkerPlanck {
   /// psi in one direction, 1/sr.
   [[nodiscard]] double density(const Eigen::VectorXd& psi, const Vec3& direction) const;
 
+  /// Size of the coefficients of the two highest degrees over that of the constant: how far the harmonics are
+  /// from resolving the distribution.
+  [[nodiscard]] double tail(const Eigen::VectorXd& psi) const;
+
   /// Advances a distribution by `duration` (s) in a constant velocity gradient (1/s). Raises
-  /// SimulationFailure when the step size falls to nothing.
+  /// SimulationFailure when the step size falls to nothing, or when the distribution has become too sharp for
+  /// the harmonics: its moments would be wrong.
   void advance(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
                const IntegrationTolerance& tolerance) const;
 
   /// Finds the distribution that does not change in a constant velocity gradient; iterates where C depends on
-  /// A2. Raises SimulationFailure when there is none (no diffusion, or no convergence in 200 iterations).
+  /// A2. Raises SimulationFailure when there is none (no diffusion, or no convergence in 200 iterations), or
+  /// when the harmonics do not resolve it.
   [[nodiscard]] Eigen::VectorXd steady(const Mat3& gradient) const;
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
   [[nodiscard]] Sparse flow_operator(const Mat3& gradient) const;
   [[nodiscard]] Sparse diffusion_operator(const Mat3& diffusion) const;
+  void follow(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
+              const IntegrationTolerance& tolerance) const;
+  void require_resolved(const Eigen::VectorXd& psi) const;
+  void require_distribution(const Eigen::VectorXd& psi, const Mat3& gradient) const;
   [[nodiscard]] Mat3 diffusion_at(const Eigen::VectorXd& psi, const Mat3& gradient) const;
 
   OrientationModel model_;

@@ -3,11 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
+#include "base/entry_by_name.hpp"
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -68,23 +69,45 @@ Mat6 dilute_concentration(const Mat6& eshelby, const Mat6& inclusion, const Mat6
   return inverse(symmetric_identity() + composed(eshelby, contrast));
 }
 
-Mat6 strain_concentration(const CompositeMaterial& material, double r, Homogenisation model) {
+/// Mean stress over mean strain when the strain in the fibers is `concentration` times that in the matrix.
+Mat6 averaged_stiffness(const CompositeMaterial& material, const Mat6& concentration) {
   const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
-  const Mat6 lower = dilute_concentration(eshelby_tensor(r, material.matrix.poisson), fiber, matrix);
-  if (model == Homogenisation::mori_tanaka) return lower;
-  // The upper bound has the phases exchanged; Lielens' weight interpolates the inverses.
-  const Mat6 upper = dilute_concentration(eshelby_tensor(r, material.fiber.poisson), matrix, fiber);
-  const double weight = 0.5 * material.volume_fraction * (1 + material.volume_fraction);
-  return inverse((1 - weight) * inverse(lower) + weight * upper);
-}
-
-Mat6 aligned_stiffness(const CompositeMaterial& material, double r, Homogenisation model) {
-  if (model == Homogenisation::halpin_tsai) return halpin_tsai(material, r);
-  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
-  const Mat6 concentration = strain_concentration(material, r, model);
   const double fraction = material.volume_fraction;
   const Mat6 stress = (1 - fraction) * matrix + fraction * composed(fiber, concentration);
   return composed(stress, inverse((1 - fraction) * symmetric_identity() + fraction * concentration));
+}
+
+/// Every fiber in the strain of the matrix: the lower bound where fibers are stiffer.
+Mat6 lower_concentration(const CompositeMaterial& material, double r) {
+  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
+  return dilute_concentration(eshelby_tensor(r, material.matrix.poisson), fiber, matrix);
+}
+
+Mat6 mori_tanaka(const CompositeMaterial& material, double r) {
+  return averaged_stiffness(material, lower_concentration(material, r));
+}
+
+/// The upper bound has the phases exchanged; Lielens' weight interpolates the inverses.
+Mat6 lielens(const CompositeMaterial& material, double r) {
+  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
+  const Mat6 upper = dilute_concentration(eshelby_tensor(r, material.fiber.poisson), matrix, fiber);
+  const double weight = 0.5 * material.volume_fraction * (1 + material.volume_fraction);
+  return averaged_stiffness(
+      material, inverse((1 - weight) * inverse(lower_concentration(material, r)) + weight * upper));
+}
+
+constexpr HomogenisationDescription descriptions[] = {
+    {Homogenisation::halpin_tsai, "halpin_tsai",
+     "Semi-empirical interpolation; may give a material without energy (stores_energy).",
+     "Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976)", halpin_tsai},
+    {Homogenisation::mori_tanaka, "mori_tanaka", "Mean field with Eshelby's tensor.",
+     "Benveniste, Mech. Mater. 6, 147 (1987)", mori_tanaka},
+    {Homogenisation::lielens, "lielens",
+     "Between the two Hashin-Shtrikman-Willis bounds; stiffer at high fractions.",
+     "Lielens et al., Composites A 29, 63 (1998)", lielens}};
+
+const HomogenisationDescription& description(Homogenisation model) {
+  return *std::ranges::find(descriptions, model, &HomogenisationDescription::model);
 }
 
 Mat3 rosen_hashin(const CompositeMaterial& material, const Mat6& stiffness) {
@@ -104,28 +127,16 @@ Mat3 rosen_hashin(const CompositeMaterial& material, const Mat6& stiffness) {
 
 }  // namespace
 
+std::span<const HomogenisationDescription> homogenisations() {
+  return descriptions;
+}
+
 const char* name(Homogenisation model) {
-  switch (model) {
-    case Homogenisation::halpin_tsai:
-      return "halpin_tsai";
-    case Homogenisation::mori_tanaka:
-      return "mori_tanaka";
-    default:
-      return "lielens";
-  }
+  return description(model).name;
 }
 
 Homogenisation homogenisation_named(std::string_view wanted) {
-  std::vector<std::string> names;
-  for (const Homogenisation model :
-       {Homogenisation::halpin_tsai, Homogenisation::mori_tanaka, Homogenisation::lielens}) {
-    if (wanted == name(model)) return model;
-    names.emplace_back(name(model));
-  }
-  const std::string near = nearest_word(wanted, names);
-  throw InputError(fmt::format("there is no stiffness model '{}'", wanted),
-                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  return entry_named(descriptions, "stiffness model", wanted).model;
 }
 
 Mat3 thermal_expansion(const ThermoelasticProperties& properties) {
@@ -155,10 +166,12 @@ ThermoelasticProperties aligned_composite(const CompositeMaterial& material, dou
   if (!(material.volume_fraction >= 0) || !(material.volume_fraction <= 1))
     throw InputError(fmt::format("a fiber volume fraction of {:g} is impossible", material.volume_fraction),
                      "it lies between 0 and 1");
+  require_number("fiber_expansion", material.fiber_expansion, any_finite);
+  require_number("matrix_expansion", material.matrix_expansion, any_finite);
   if (!(aspect_ratio > 0) || !std::isfinite(aspect_ratio))
     throw InputError(fmt::format("an aspect ratio of {:g} is impossible", aspect_ratio), "it is positive");
   ThermoelasticProperties properties;
-  properties.stiffness = aligned_stiffness(material, aspect_ratio, model);
+  properties.stiffness = description(model).aligned_stiffness(material, aspect_ratio);
   properties.thermal_stress = rosen_hashin(material, properties.stiffness);
   return properties;
 }
@@ -168,7 +181,7 @@ ThermoelasticProperties length_average(const CompositeMaterial& material,
   ThermoelasticProperties sum;
   double shares = 0;
   for (const AspectRatioClass& one : classes) {
-    if (!(one.volume_share >= 0))
+    if (!(one.volume_share >= 0) || !std::isfinite(one.volume_share))
       throw InputError(fmt::format("a volume share of {:g} is impossible", one.volume_share),
                        "shares are not negative");
     if (one.volume_share == 0) continue;

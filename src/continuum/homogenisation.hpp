@@ -9,16 +9,7 @@
 namespace fiberfate {
 
 /// Names the models of aligned fibers.
-enum class Homogenisation {
-  halpin_tsai,  ///< Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976); may give a material without energy, see
-                ///< stores_energy
-  mori_tanaka,  ///< Benveniste, Mech. Mater. 6, 147 (1987), with Eshelby's tensor
-  lielens  ///< Lielens et al., Composites A 29, 63 (1998): between the two Hashin-Shtrikman-Willis bounds
-};
-
-[[nodiscard]] const char* name(Homogenisation model);
-/// Finds a model by name; raises InputError with the nearest name.
-[[nodiscard]] Homogenisation homogenisation_named(std::string_view name);
+enum class Homogenisation { halpin_tsai, mori_tanaka, lielens };
 
 /// Describes fiber and matrix.
 struct CompositeMaterial {
@@ -28,6 +19,22 @@ struct CompositeMaterial {
   double matrix_expansion = 0;  ///< of the matrix, 1/K
   double volume_fraction = 0;   ///< of fibers, 0 to 1
 };
+
+/// Describes one model. To add one: its enumerator, its function, a row in homogenisation.cpp, a test.
+struct HomogenisationDescription {
+  Homogenisation model;
+  const char* name;     ///< as in case files, "mori_tanaka"
+  const char* meaning;  ///< one sentence
+  const char* source;   ///< author, year
+  /// Stiffness (Pa) of fibers along axis 1 of one aspect ratio.
+  Mat6 (*aligned_stiffness)(const CompositeMaterial& material, double aspect_ratio);
+};
+
+/// Tells all models.
+[[nodiscard]] std::span<const HomogenisationDescription> homogenisations();
+[[nodiscard]] const char* name(Homogenisation model);
+/// Finds a model by name; raises InputError with the nearest name.
+[[nodiscard]] Homogenisation homogenisation_named(std::string_view name);
 
 /// Holds the properties of a composite: C in Pa, thermal stress beta = C : alpha in Pa/K.
 struct ThermoelasticProperties {

@@ -6,6 +6,9 @@
 
 namespace fiberfate {
 
+/// Standard value of a parameter that a user has to give.
+inline constexpr double required_value = std::numeric_limits<double>::quiet_NaN();
+
 /// Describes a parameter of a law: what it is called, what it means and which values make sense.
 struct LawParameter {
   std::string name;     ///< as in case files, "lambda"

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -15,22 +17,23 @@ void check_law_values(std::string_view law, const std::vector<LawParameter>& par
     throw InputError(
         fmt::format("the law '{}' has {} parameters, not {}", law, parameters.size(), values.size()),
         "give one value for each");
+  std::vector<InputProblem> problems;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LawParameter& parameter = parameters[i];
-    if (std::isnan(values[i]))
-      throw InputError(fmt::format("the law '{}' needs a value for {}", law, parameter.name), "give one");
-    if (values[i] < parameter.lower || values[i] > parameter.upper)
-      throw InputError(fmt::format("{} = {:g} of the law '{}' is outside of [{:g}, {:g}] {}", parameter.name,
-                                   values[i], law, parameter.lower, parameter.upper, parameter.unit),
-                       "choose a value between");
+    const auto complain = [&](std::string value, std::string complaint, std::string remedy) {
+      problems.push_back(
+          {"", 0, 0, parameter.name, std::move(value), std::move(complaint), std::move(remedy)});
+    };
+    if (std::isnan(values[i])) {
+      complain("", fmt::format("not given; the law '{}' needs it", law), "give a number");
+    } else if (std::isinf(values[i]) || values[i] < parameter.lower || values[i] > parameter.upper) {
+      complain(fmt::format("{:g}", values[i]),
+               fmt::format("outside of [{:g}, {:g}] {}, which the law '{}' takes", parameter.lower,
+                           parameter.upper, parameter.unit, law),
+               "choose a finite number between");
+    }
   }
-}
-
-void refuse_law_name(std::string_view kind, std::string_view name, const std::vector<std::string>& names) {
-  const std::string near = nearest_word(name, names);
-  throw InputError(fmt::format("there is no {} '{}'", kind, name),
-                   near.empty() ? fmt::format("take one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 }  // namespace fiberfate

@@ -9,14 +9,9 @@
 
 namespace fiberfate {
 
-/// Raises InputError, which names the law and the parameter, unless there is one value a parameter, none of
-/// them NaN and each within its parameter's bounds.
+/// Raises InputError, with a problem for each fault whose key is the parameter, "C_B", unless there is one
+/// value a parameter, none of them NaN or infinite and each within its parameter's bounds.
 void check_law_values(std::string_view law, const std::vector<LawParameter>& parameters,
                       std::span<const double> values);
-
-/// Raises InputError for a name that is none of `names`, with the nearest of them or all; `kind` is
-/// "attrition law", say.
-[[noreturn]] void refuse_law_name(std::string_view kind, std::string_view name,
-                                  const std::vector<std::string>& names);
 
 }  // namespace fiberfate

@@ -1,7 +1,6 @@
 // Says what a length law sees of the flow at a point, or at many points at once.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <span>
 
@@ -12,7 +11,10 @@ struct LengthFlow {
   double rate = 0;       ///< shear rate sqrt(2 D:D), 1/s, not negative
   double viscosity = 0;  ///< of the matrix at this rate, Pa s, not negative
   double compression =
-      1;  ///< -2 D:A/rate in [0, 1], or 1 for the most compressed direction; only Phelps uses it
+      1;  ///< -2 D:A/rate in [-1, 1], or 1 for the most compressed direction; only Phelps uses it
+
+  /// Raises InputError, whose key names the member, for a number that no flow has.
+  void check() const;
 };
 
 /// Holds the same for n points, one array a quantity; `compression` may be empty, which means 1 everywhere.
@@ -23,9 +25,11 @@ struct LengthFlows {
 
   [[nodiscard]] std::size_t size() const { return rate.size(); }
   [[nodiscard]] LengthFlow operator[](std::size_t point) const {
-    assert(point < rate.size() && viscosity.size() == rate.size());
     return {rate[point], viscosity[point], compression.empty() ? 1.0 : compression[point]};
   }
+  /// Raises InputError, whose key names the array and the point, for arrays of unequal size or a number that
+  /// no flow has.
+  void check() const;
 };
 
 }  // namespace fiberfate

@@ -2,11 +2,11 @@
 #include "continuum/length_history.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -29,6 +29,9 @@ LengthHistory::LengthHistory(std::vector<LengthHistoryRow> rows, HistoryForm for
       throw InputError("the times of a history do not rise", "sort the rows by time");
     if (!(rows_[i].rate >= 0) || !(rows_[i].pressure >= 0))
       throw InputError("a history has a negative shear rate or pressure", "give magnitudes");
+    for (const double number : {rows_[i].time, rows_[i].rate, rows_[i].temperature, rows_[i].pressure})
+      if (!std::isfinite(number))
+        throw InputError("a history has a number that is not finite", "give finite numbers");
   }
 }
 
@@ -53,7 +56,8 @@ MeltState LengthHistory::at(double time) const {
 }
 
 std::vector<LengthHistoryPart> LengthHistory::parts(double begin, double end) const {
-  assert(begin >= 0 && end >= begin);
+  require_number("begin", begin, not_negative);
+  require_number("end", end, {.lower = begin});
   std::vector<LengthHistoryPart> result;
   for (std::size_t i = row_at(begin); i < rows_.size() && begin < end; ++i) {
     const bool last = i + 1 == rows_.size();

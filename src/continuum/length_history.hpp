@@ -31,7 +31,8 @@ struct LengthHistoryPart {
 /// Holds a history of rate, temperature and pressure as rows of rising time.
 class LengthHistory {
  public:
-  /// Raises InputError unless there is a row, times rise from 0 on, and rates and pressures are not negative.
+  /// Raises InputError unless there is a row, times rise from 0 on, rates and pressures are not negative, and
+  /// all numbers are finite.
   LengthHistory(std::vector<LengthHistoryRow> rows, HistoryForm form);
   /// Makes a history that never changes.
   static LengthHistory constant(const MeltState& melt);
@@ -40,7 +41,7 @@ class LengthHistory {
   [[nodiscard]] MeltState at(double time) const;
   /// Cuts the time from `begin` to `end` into parts of constant state. Steps are exact. A ramp is cut into
   /// parts of at most a hundredth of its length that take the state at their middle: second order, error
-  /// below 1e-4 of the change.
+  /// below 1e-4 of the change. Raises InputError unless 0 <= begin <= end.
   [[nodiscard]] std::vector<LengthHistoryPart> parts(double begin, double end) const;
   [[nodiscard]] const std::vector<LengthHistoryRow>& rows() const { return rows_; }
 

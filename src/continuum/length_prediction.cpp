@@ -1,7 +1,7 @@
 // Steps populations through histories.
 #include "continuum/length_prediction.hpp"
 
-#include <cassert>
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 
@@ -13,7 +13,7 @@ void follow_lengths(const AttritionLaw& law, const LengthStart& start, const Len
   const std::unique_ptr<LengthEvolution> evolution = law.start(start);
   double now = 0;
   for (const double time : times) {
-    assert(time >= now);
+    require_number("times", time, {.lower = now});
     for (const LengthHistoryPart& part : conditions.history.parts(now, time))
       evolution->advance(flow_at(part.melt), part.duration);
     now = time;

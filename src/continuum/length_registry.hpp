@@ -21,7 +21,8 @@ struct AttritionLawEntry {
   std::unique_ptr<AttritionLaw> (*make)(std::span<const double> values);
 };
 
-/// Gives all laws. To add one: write its functor, and add its entry here (docs/theory/length.md).
+/// Gives all laws. To add one: a header like unbreakable_length.hpp, a row in length_registry.cpp, a test
+/// (docs/develop/adding_a_point_law.md).
 [[nodiscard]] const std::vector<AttritionLawEntry>& attrition_laws();
 
 /// Finds a law by name; raises InputError with the nearest name when there is none.

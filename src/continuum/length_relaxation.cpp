@@ -39,8 +39,10 @@ void relax_block(const RelaxationLaw& law, const LengthFlows& flows, double dura
 }  // namespace
 
 double relax_length(double length, const LengthRelaxation& relaxation, double duration) {
+  require_number("length", length, not_negative);
+  require_number("duration", duration, not_negative);
   const double excess = length - relaxation.equilibrium_length;
-  if (!(excess > 0)) return length;
+  if (!(excess > 0) || duration == 0) return length;
   const double relaxed = length + excess * std::expm1(-relaxation.rate_constant * duration);
   return std::max(relaxation.equilibrium_length, relaxed);
 }
@@ -48,8 +50,11 @@ double relax_length(double length, const LengthRelaxation& relaxation, double du
 void relax_lengths(const RelaxationLaw& law, const LengthFlows& flows, double duration,
                    std::span<double> lengths) {
   const std::size_t points = flows.size();
-  if (points == 0) return;
-  assert(lengths.size() % points == 0);
+  require_number("duration", duration, not_negative);
+  flows.check();
+  require_numbers("lengths", lengths, not_negative);
+  if (points == 0 || duration == 0) return;
+  require_same_size("lengths", lengths.size(), lengths.size() / points * points);
   const auto blocks = static_cast<std::ptrdiff_t>((points + block_size - 1) / block_size);
   parallel_for(blocks, [&](std::ptrdiff_t block) {
     relax_block(law, flows, duration, static_cast<std::size_t>(block) * block_size, lengths);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "base/number_checks.hpp"
 #include "continuum/length_flow.hpp"
 
 namespace fiberfate {
@@ -16,7 +17,8 @@ struct LengthRelaxation {
 
 /// Tells the length after `duration` s of constant flow, exactly: L_inf + (L - L_inf) exp(-k_f t)
 /// (thesis 5.7). A fiber that is already at or below L_inf keeps its length. The result neither exceeds
-/// `length` nor undershoots L_inf, round-off included.
+/// `length` nor undershoots L_inf, round-off included. Raises InputError for a length or duration that is
+/// negative or not finite.
 [[nodiscard]] double relax_length(double length, const LengthRelaxation& relaxation, double duration);
 
 /// Gives k_f and L_inf from the flow; one call handles many points.
@@ -27,7 +29,7 @@ class RelaxationLaw {
   RelaxationLaw& operator=(const RelaxationLaw&) = delete;
   virtual ~RelaxationLaw() = default;
 
-  /// Evaluates the law at one point.
+  /// Evaluates the law at one point. Raises InputError for an impossible flow, as `evaluate` does.
   [[nodiscard]] virtual LengthRelaxation at(const LengthFlow& flow) const = 0;
   /// Evaluates the law at n points: `rate_constants` (1/s) and `equilibrium_lengths` (m) have n elements
   /// each.
@@ -41,10 +43,15 @@ template <class Formula>
 class RelaxationLawOf final : public RelaxationLaw {
  public:
   explicit RelaxationLawOf(const Formula& formula) : formula_(formula) {}
-  [[nodiscard]] LengthRelaxation at(const LengthFlow& flow) const override { return formula_(flow); }
+  [[nodiscard]] LengthRelaxation at(const LengthFlow& flow) const override {
+    flow.check();
+    return formula_(flow);
+  }
   void evaluate(const LengthFlows& flows, std::span<double> rate_constants,
                 std::span<double> equilibrium_lengths) const override {
-    assert(rate_constants.size() == flows.size() && equilibrium_lengths.size() == flows.size());
+    flows.check();
+    require_same_size("rate_constants", rate_constants.size(), flows.size());
+    require_same_size("equilibrium_lengths", equilibrium_lengths.size(), flows.size());
     for (std::size_t i = 0; i < flows.size(); ++i) {
       const LengthRelaxation relaxation = formula_(flows[i]);
       rate_constants[i] = relaxation.rate_constant;
@@ -58,7 +65,8 @@ class RelaxationLawOf final : public RelaxationLaw {
 
 /// Advances lengths at n points by `duration` s in which the flow at each point is constant.
 /// `lengths` (m) is [class][point]: any number of initial-length classes (one for a mean length), n points
-/// each. Runs on all threads; the result does not depend on how many there are.
+/// each. Runs on all threads; the result does not depend on how many there are. Raises InputError, which
+/// names the point, for impossible flows or lengths, before anything is changed.
 void relax_lengths(const RelaxationLaw& law, const LengthFlows& flows, double duration,
                    std::span<double> lengths);
 

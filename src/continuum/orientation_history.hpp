@@ -52,17 +52,18 @@ struct OrientationState {
   Mat3 second = Mat3::Identity() / 3;
 };
 
-/// Integrates an orientation law through a flow history with Dormand and Prince's method; steps end at every
+/// Integrates an orientation law through a flow history with Dormand and Prince's method, and with
+/// PrincipalAxesSteps where RSC or RPR make that stiff; steps end at every
 /// change of the flow and at the wanted times. Unit trace is kept to round-off; a state that an approximate
 /// closure has left with a negative principal value is returned to the nearest admissible one and counted.
 class OrientationIntegrator {
  public:
-  /// Raises InputError unless the start is admissible to 1e-6.
+  /// Raises InputError unless the start is admissible to 1e-6 and the tolerance positive.
   OrientationIntegrator(OrientationLaw law, GradientHistory history, const OrientationState& start,
                         IntegrationTolerance tolerance = {});
 
-  /// Advances to a time not before the present one. Raises SimulationFailure when the step size falls to
-  /// nothing.
+  /// Advances to a time not before the present one (InputError otherwise). Raises SimulationFailure when the
+  /// step size falls to nothing or the steps run out.
   void advance_to(double time);
 
   [[nodiscard]] const OrientationState& state() const { return state_; }
@@ -70,6 +71,12 @@ class OrientationIntegrator {
   [[nodiscard]] std::int64_t projections() const { return projections_; }
 
  private:
+  /// Each of these leaves the state as it is when it returns false.
+  [[nodiscard]] bool advance_over(const Mat3& gradient, double duration);
+  [[nodiscard]] bool advance_explicitly(const Mat3& gradient, double duration, std::int64_t most_steps);
+  /// Goes on where explicit steps would become tiny beside equal principal values.
+  [[nodiscard]] bool advance_axes(const Mat3& gradient, double duration);
+
   OrientationLaw law_;
   GradientHistory history_;
   OrientationState state_;

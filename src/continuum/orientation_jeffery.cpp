@@ -6,6 +6,7 @@
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/constants.hpp"
+#include "base/number_checks.hpp"
 #include "microstructure/exact_closure.hpp"
 
 namespace fiberfate {
@@ -18,6 +19,9 @@ Vec3 jeffery_rate(const Vec3& direction, const Mat3& gradient, double xi) {
 }
 
 Mat3 fiber_deformation(const Mat3& gradient, double xi, double duration) {
+  require_numbers("gradient", gradient.reshaped(), any_finite);
+  require_number("xi", xi, {.lower = -1, .upper = 1});
+  require_number("duration", duration, not_negative);
   const Mat3 strain = 0.5 * (gradient + gradient.transpose());
   const Mat3 vorticity = 0.5 * (gradient - gradient.transpose());
   return Mat3((vorticity + xi * strain) * duration).exp();
@@ -28,6 +32,7 @@ Vec3 carried_direction(const Vec3& direction, const Mat3& deformation) {
 }
 
 Mat3 carried_isotropic_state(const Mat3& deformation) {
+  require_numbers("deformation", deformation.reshaped(), any_finite);
   // F = U diag(s) Vᵀ gives C = U diag(1/s²) Uᵀ without squaring the condition of F.
   const Eigen::JacobiSVD<Eigen::MatrixXd> parts(deformation, Eigen::ComputeFullU);
   const Vec3 b = parts.singularValues().array().square().inverse();
@@ -38,6 +43,8 @@ Mat3 carried_isotropic_state(const Mat3& deformation) {
 }
 
 double jeffery_period(double aspect_ratio, double rate) {
+  require_number("aspect_ratio", aspect_ratio, positive);
+  require_number("rate", rate, positive);
   return 2 * pi * (aspect_ratio + 1 / aspect_ratio) / rate;
 }
 

@@ -19,8 +19,8 @@ namespace fiberfate {
 
 /// A2 after a deformation from an isotropic state without diffusion, exact: psi = (1/4 pi) (p·C·p)^(-3/2)
 /// with C = (F·Fᵀ)⁻¹, and A2 has the axes of C and the principal values R_D(b_j, b_k, b_i)/3, b those of C.
-/// Requires det F = 1 (an incompressible flow). Source: Montgomery-Smith et al., J. Fluid Mech. 680, 321
-/// (2011).
+/// Requires det F = 1 (an incompressible flow). Source: Montgomery-Smith et al., J.
+/// Fluid Mech. 680, 321 (2011).
 [[nodiscard]] Mat3 carried_isotropic_state(const Mat3& deformation);
 
 /// Period after which a fiber in simple shear points along its first direction again (half an orbit's turn is

@@ -16,11 +16,12 @@ namespace fiberfate {
 /// retarded as the model says; D, W the symmetric and antisymmetric parts of L_ij = d v_i / d x_j, rate =
 /// sqrt(2 D:D).
 ///
-/// Units: L and DA/Dt in 1/s. States must be symmetric with unit trace. At D = 0 only W acts. The rate is
-/// traceless to round-off. At equal principal values of A the retardation acts in the axes of the rate itself
-/// (those of D for an isotropic state); pard and mrd take the axes of D there, and the mean of their
-/// constants where D has no axes either. Sources: orientation_registry.cpp. Neglected: Brownian motion,
-/// inertia, flexibility, variation of L over a fiber.
+/// Units: L and DA/Dt in 1/s. States are symmetric with unit trace and without negative principal value: what
+/// is further from that than forgiven_departure, or not finite, raises InputError that names the point. At D
+/// = 0 only W acts. The rate is traceless to round-off. At equal principal values of A the retardation acts
+/// in the axes of the rate itself (those of D for an isotropic state); pard and mrd take the axes of D there,
+/// and the mean of their constants where D has no axes either. Sources: orientation_registry.cpp. Neglected:
+/// Brownian motion, inertia, flexibility, variation of L over a fiber.
 class OrientationLaw {
  public:
   /// Takes a model; raises InputError as require_admissible.
@@ -29,14 +30,18 @@ class OrientationLaw {
 
   /// DA/Dt at one point.
   [[nodiscard]] Mat3 rate(const Mat3& second, const Mat3& gradient) const;
+  /// The same for the stages of integrators, which pass through states slightly outside: nothing is checked.
+  [[nodiscard]] Mat3 unchecked_rate(const Mat3& second, const Mat3& gradient) const;
 
-  /// Writes DA/Dt of many points, on all threads; nothing is allocated.
+  /// Writes DA/Dt of many points, on all threads; nothing is allocated. After an InputError the results are
+  /// worthless.
   void evaluate(const OrientationPoints& points) const;
 
   /// Writes A2 after `step.duration` at constant gradients, on all threads; nothing is allocated. States that
   /// an approximate closure would leave slightly outside are returned to unit trace and no negative principal
-  /// value. Raises SimulationFailure when some point needs more than `step.most_steps` internal steps.
-  void advance(const OrientationPoints& points, const OrientationStep& step) const;
+  /// value. An InputError comes before anything is changed. Raises SimulationFailure, which names the point,
+  /// when one needs more than `step.most_steps` internal steps; the results are worthless then.
+  OrientationAdvance advance(const OrientationPoints& points, const OrientationStep& step) const;
 
  private:
   OrientationModel model_;

@@ -24,6 +24,11 @@ enum class Retardation {
   srf   ///< strain reduction factor: the whole rate times srf; not objective
 };
 
+/// Tells whether a retardation takes the rates of the principal values apart from the turning of the axes.
+[[nodiscard]] inline bool acts_on_principal_values(Retardation retardation) {
+  return retardation == Retardation::rsc || retardation == Retardation::rpr;
+}
+
 /// Holds the constants of all laws; each law reads its own.
 struct OrientationConstants {
   double xi = 1;     ///< shape factor (r²-1)/(r²+1), r the aspect ratio; 1 for slender fibers

@@ -6,6 +6,9 @@ namespace fiberfate::FIBERFATE_ISA {
 
 namespace {
 
+/// Velocity gradients (1/s) whose squares are still numbers.
+constexpr double fastest_gradient = 1e100;
+
 /// Reads eight values; the last blocks repeat their last point.
 FIBERFATE_INLINE Pack gather(const double* from, std::size_t stride, std::size_t first, int filled) {
   Pack pack;
@@ -30,12 +33,14 @@ FIBERFATE_INLINE void scatter(double* to, std::size_t stride, std::size_t first,
 struct Eight {
   Symmetric second;
   Pack gradient[9];
+  Mask put_back;  ///< where the state left the admissible ones
 };
 
 FIBERFATE_INLINE Eight read(const OrientationPoints& points, std::size_t first, int filled) {
   Pack a[6];
   for (int m = 0; m < 6; ++m) a[m] = gather(points.second[m], points.second_stride, first, filled);
   Eight eight;
+  eight.put_back = Mask{};
   eight.second = {a[0], a[1], a[2], a[3], a[4], a[5]};
   for (int m = 0; m < 9; ++m)
     eight.gradient[m] = gather(points.gradient[m], points.gradient_stride, first, filled);
@@ -65,9 +70,21 @@ FIBERFATE_INLINE double step_factor(double error, double tolerance) {
   return factor > 0.2 ? factor : 0.2;
 }
 
+/// Says where a state and its flow are what a law takes. All invariants of A + forgiven I are positive
+/// exactly where no principal value is below -forgiven; comparisons with NaN are false.
+FIBERFATE_INLINE Mask sound(const Eight& eight, double forgiven) {
+  const Symmetric& a = eight.second;
+  const Symmetric b = a + isotropic(broadcast(forgiven));
+  const Pack minors =
+      b.c11 * b.c22 + b.c22 * b.c33 + b.c33 * b.c11 - b.c12 * b.c12 - b.c23 * b.c23 - b.c31 * b.c31;
+  Mask good = (magnitude(trace(a) - 1.0) <= forgiven) & (minors >= 0.0) & (determinant(b) >= 0.0);
+  for (int m = 0; m < 9; ++m) good &= magnitude(eight.gradient[m]) < fastest_gradient;
+  return good;
+}
+
 /// Returns to unit trace and, where an approximate closure has left a principal value below -`tolerated`, to
 /// the admissible states: values below zero set to zero and the others reduced in proportion.
-FIBERFATE_INLINE Symmetric admissible(const Symmetric& a, double tolerated) {
+FIBERFATE_INLINE Symmetric admissible(const Symmetric& a, double tolerated, Mask& put_back) {
   const Symmetric b = a - isotropic((trace(a) - 1.0) / 3.0);
   const Pack minors =
       b.c11 * b.c22 + b.c22 * b.c33 + b.c33 * b.c11 - b.c12 * b.c12 - b.c23 * b.c23 - b.c31 * b.c31;
@@ -76,6 +93,7 @@ FIBERFATE_INLINE Symmetric admissible(const Symmetric& a, double tolerated) {
   Frame frame = find_frame(b);
   const Mask outside = frame.value[2] < -tolerated;
   if (!any(outside)) return b;
+  put_back |= outside;
   for (int k = 0; k < 3; ++k) frame.value[k] = larger(frame.value[k], broadcast(0));
   const Pack sum = frame.value[0] + frame.value[1] + frame.value[2];
   const Pack zero = broadcast(0);
@@ -104,7 +122,7 @@ int integrate(const OrientationModel& model, Eight& eight, const OrientationStep
     const double error =
         size * largest_norm((-5.0 / 72) * k1 + (1.0 / 12) * k2 + (1.0 / 9) * k3 - (1.0 / 8) * k4);
     if (error <= step.tolerance) {
-      a = admissible(next, step.tolerance);
+      a = admissible(next, step.tolerance, eight.put_back);
       // A state that was put back has another slope; that of round-off in the trace is the same.
       k1 = largest_norm(a - next) > step.tolerance ? orientation_rate(model, a, eight.gradient) : k4;
       done = last ? step.duration : done + size;
@@ -124,16 +142,29 @@ void evaluate_orientation(const OrientationModel& model, const OrientationPoints
   }
 }
 
-bool advance_orientation(const OrientationModel& model, const OrientationPoints& points,
-                         const OrientationStep& step) {
-  bool arrived = true;
+std::size_t find_orientation_fault(const OrientationPoints& points, double forgiven) {
+  for (std::size_t first = 0; first < points.count; first += lanes) {
+    const int filled = points.count - first < lanes ? static_cast<int>(points.count - first) : lanes;
+    const Mask good = sound(read(points, first, filled), forgiven);
+    for (int i = 0; i < filled; ++i)
+      if (!good[i]) return first + static_cast<std::size_t>(i);
+  }
+  return points.count;
+}
+
+std::size_t advance_orientation(const OrientationModel& model, const OrientationPoints& points,
+                                const OrientationStep& step, std::size_t& put_back) {
   for (std::size_t first = 0; first < points.count; first += lanes) {
     const int filled = points.count - first < lanes ? static_cast<int>(points.count - first) : lanes;
     Eight eight = read(points, first, filled);
-    arrived = integrate(model, eight, step) < step.most_steps && arrived;
-    write(points, first, filled, admissible(eight.second, 0));
+    const Pack departure = magnitude(trace(eight.second) - 1.0);
+    eight.put_back |= departure > step.tolerance;
+    if (integrate(model, eight, step) >= step.most_steps) return first;
+    Mask slightly{};  // round-off of planar states is no departure
+    write(points, first, filled, admissible(eight.second, 0, slightly));
+    for (int i = 0; i < filled; ++i) put_back += eight.put_back[i] ? 1 : 0;
   }
-  return arrived;
+  return points.count;
 }
 
 }  // namespace fiberfate::FIBERFATE_ISA

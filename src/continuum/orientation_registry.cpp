@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/entry_by_name.hpp"
 #include "base/error.hpp"
 #include "microstructure/closure.hpp"
 
@@ -15,23 +16,7 @@ namespace fiberfate {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-/// Standard value of what a user has to give.
-constexpr double required = std::numeric_limits<double>::quiet_NaN();
 using Constants = OrientationConstants;
-
-template <class Choice>
-Choice choice_named(const std::vector<OrientationChoice<Choice>>& all, std::string_view name,
-                    const char* kind) {
-  std::vector<std::string> names;
-  for (const auto& one : all) {
-    if (one.name == name) return one.choice;
-    names.push_back(one.name);
-  }
-  const std::string near = nearest_word(name, names);
-  throw InputError(fmt::format("there is no {} '{}'", kind, name),
-                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
-}
 
 template <class Choice>
 const OrientationChoice<Choice>& description(const std::vector<OrientationChoice<Choice>>& all,
@@ -60,12 +45,10 @@ std::vector<std::string> constants_of(const OrientationModel& model) {
 
 std::string complaint_about(const OrientationConstant& constant, double value, bool read) {
   const LawParameter& parameter = constant.parameter;
-  if (!std::isfinite(value)) return fmt::format("{} is not a finite number", parameter.name);
-  if (!read && value != Constants{}.*constant.member)
-    return fmt::format("{} = {:g} is not read by this law", parameter.name, value);
+  if (!std::isfinite(value)) return "not a finite number";
+  if (!read && value != Constants{}.*constant.member) return "not read by this law";
   if (read && (value < parameter.lower || value > parameter.upper))
-    return fmt::format("{} = {:g} is outside [{:g}, {:g}]", parameter.name, value, parameter.lower,
-                       parameter.upper);
+    return fmt::format("outside [{:g}, {:g}]", parameter.lower, parameter.upper);
   return {};
 }
 
@@ -75,25 +58,29 @@ const std::vector<OrientationConstant>& orientation_constants() {
   static const std::vector<OrientationConstant> all = {
       {{"xi", "1", "Shape factor (r²-1)/(r²+1) of fibers of aspect ratio r; 1 for slender ones", 1, -1, 1},
        &Constants::xi},
-      {{"C_I", "1", "Interaction coefficient: strength of rotary diffusion", required}, &Constants::c_i},
-      {{"C_M", "1", "Fiber-matrix interaction: how much diffusion is suppressed along the flow", required, 0,
-        1},
+      {{"C_I", "1", "Interaction coefficient: strength of rotary diffusion", required_value},
+       &Constants::c_i},
+      {{"C_M", "1", "Fiber-matrix interaction: how much diffusion is suppressed along the flow",
+        required_value, 0, 1},
        &Constants::c_m},
-      {{"Omega", "1", "Share of diffusion along the second principal axis", required, 0, 1},
+      {{"Omega", "1", "Share of diffusion along the second principal axis", required_value, 0, 1},
        &Constants::omega},
       {{"D1", "1", "Diffusion along the first principal axis, in units of C_I", 1}, &Constants::d1},
-      {{"D2", "1", "Diffusion along the second principal axis, in units of C_I", required}, &Constants::d2},
-      {{"D3", "1", "Diffusion along the third principal axis, in units of C_I", required}, &Constants::d3},
-      {{"b1", "1", "Isotropic diffusion", required, -unbounded}, &Constants::b1},
+      {{"D2", "1", "Diffusion along the second principal axis, in units of C_I", required_value},
+       &Constants::d2},
+      {{"D3", "1", "Diffusion along the third principal axis, in units of C_I", required_value},
+       &Constants::d3},
+      {{"b1", "1", "Isotropic diffusion", required_value, -unbounded}, &Constants::b1},
       {{"b2", "1", "Diffusion along A", 0, -unbounded}, &Constants::b2},
       {{"b3", "1", "Diffusion along A²", 0, -unbounded}, &Constants::b3},
       {{"b4", "1", "Diffusion along D/rate", 0, -unbounded}, &Constants::b4},
       {{"b5", "1", "Diffusion along D²/rate²", 0, -unbounded}, &Constants::b5},
-      {{"kappa", "1", "Factor on the rates of the principal values", required, 0, 1}, &Constants::kappa},
-      {{"alpha", "1", "Share by which the rates of the principal values are reduced", required, 0, 1},
+      {{"kappa", "1", "Factor on the rates of the principal values", required_value, 0, 1},
+       &Constants::kappa},
+      {{"alpha", "1", "Share by which the rates of the principal values are reduced", required_value, 0, 1},
        &Constants::alpha},
       {{"beta", "s", "Tunes the retardation by products of the rates", 0}, &Constants::beta},
-      {{"srf", "1", "Factor on the whole rate", required, 0, 1}, &Constants::srf},
+      {{"srf", "1", "Factor on the whole rate", required_value, 0, 1}, &Constants::srf},
       {{"U0", "1", "Maier-Saupe potential; the isotropic state is stable below 8 C_I", 0, -unbounded},
        &Constants::u0}};
   return all;
@@ -182,28 +169,16 @@ const char* name(Retardation retardation) {
 }
 
 RotaryDiffusion rotary_diffusion_named(std::string_view name) {
-  return choice_named(rotary_diffusions(), name, "rotary diffusion");
+  return entry_named(rotary_diffusions(), "rotary diffusion", name).choice;
 }
 
 Retardation retardation_named(std::string_view name) {
-  return choice_named(retardations(), name, "retardation");
+  return entry_named(retardations(), "retardation", name).choice;
 }
 
 OrientationModel orientation_model_named(std::string_view name, std::string_view closure) {
-  OrientationModel model;
-  model.closure = closure_named(closure);
-  std::vector<std::string> names;
-  for (const NamedOrientationModel& one : named_orientation_models()) {
-    names.push_back(one.name);
-    if (one.name != name) continue;
-    model.diffusion = one.diffusion;
-    model.retardation = one.retardation;
-    return model;
-  }
-  const std::string near = nearest_word(name, names);
-  throw InputError(fmt::format("there is no orientation law '{}'", name),
-                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  const NamedOrientationModel& named = entry_named(named_orientation_models(), "orientation law", name);
+  return {named.diffusion, named.retardation, closure_named(closure), {}};
 }
 
 void set_constant(OrientationModel& model, std::string_view name, double value) {
@@ -222,16 +197,17 @@ void set_constant(OrientationModel& model, std::string_view name, double value) 
 
 void require_admissible(const OrientationModel& model) {
   const std::vector<std::string> read = constants_of(model);
-  std::vector<std::string> complaints;
+  const std::string remedy = fmt::format("the law {} with {} reads {}", name(model.diffusion),
+                                         name(model.retardation), fmt::join(read, ", "));
+  std::vector<InputProblem> problems;
   for (const OrientationConstant& one : orientation_constants()) {
-    const bool is_read = std::ranges::find(read, one.parameter.name) != read.end();
-    const std::string complaint = complaint_about(one, model.constants.*one.member, is_read);
-    if (!complaint.empty()) complaints.push_back(complaint);
+    const std::string& symbol = one.parameter.name;
+    const double value = model.constants.*one.member;
+    const std::string complaint = complaint_about(one, value, std::ranges::find(read, symbol) != read.end());
+    if (!complaint.empty())
+      problems.push_back({"", 0, 0, symbol, fmt::format("{:g}", value), complaint, remedy});
   }
-  if (complaints.empty()) return;
-  throw InputError(fmt::format("{}", fmt::join(complaints, "; ")),
-                   fmt::format("the law {} with {} reads {}", name(model.diffusion), name(model.retardation),
-                               fmt::join(read, ", ")));
+  if (!problems.empty()) throw InputError(std::move(problems));
 }
 
 }  // namespace fiberfate

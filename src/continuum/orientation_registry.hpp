@@ -35,7 +35,9 @@ struct NamedOrientationModel {
   Retardation retardation;
 };
 
-/// Tells every constant. To add a law: one line here, its tensor in orientation_pack.hpp, one test.
+/// Tells every constant. To add a diffusion or a retardation: its enumerator (orientation_model.hpp), its
+/// formula in the compiled kernel (orientation_pack.hpp) and, for a diffusion, in rotary_diffusion, a row
+/// here, a test (docs/develop/adding_a_point_law.md).
 [[nodiscard]] const std::vector<OrientationConstant>& orientation_constants();
 [[nodiscard]] const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions();
 [[nodiscard]] const std::vector<OrientationChoice<Retardation>>& retardations();
@@ -47,9 +49,8 @@ struct NamedOrientationModel {
 /// Finds a choice by name; raises InputError with the nearest name.
 [[nodiscard]] RotaryDiffusion rotary_diffusion_named(std::string_view name);
 [[nodiscard]] Retardation retardation_named(std::string_view name);
-/// Makes a model of neutral constants (OrientationConstants) from a combination ("iard_rpr") or a diffusion
-/// ("iard") and closure
-/// ("ibof").
+/// Makes a model of neutral constants (OrientationConstants) from the name of a combination, "iard_rpr", and
+/// that of a closure, "ibof".
 [[nodiscard]] OrientationModel orientation_model_named(std::string_view name, std::string_view closure);
 
 /// Sets one constant by its symbol, capitals and underscores aside ("C_I", "c_i"); raises InputError for a
@@ -57,7 +58,7 @@ struct NamedOrientationModel {
 void set_constant(OrientationModel& model, std::string_view name, double value);
 
 /// Checks that every constant that the model reads is finite and admissible, and that what it does not read
-/// is left alone; raises InputError that names all faults.
+/// is left alone; raises InputError with a problem for each fault, whose key is the constant, "C_I".
 void require_admissible(const OrientationModel& model);
 
 }  // namespace fiberfate

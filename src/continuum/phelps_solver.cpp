@@ -1,14 +1,17 @@
 // Drives the Phelps-Tucker kernels over points: breakage rates, weights of the series, blocks of eight.
 #include "continuum/phelps_solver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <atomic>
 #include <cmath>
 #include <new>
 
 #include "base/error.hpp"
 #include "base/kernels.hpp"
+#include "base/number_checks.hpp"
 #include "base/threads.hpp"
 #include "continuum/phelps_block.hpp"
 
@@ -20,24 +23,30 @@ constexpr std::size_t lanes = 8;
 constexpr double series_tolerance = 1e-14;
 /// Events Qt a fiber may meet in one part of a step: more cost more parts, fewer waste the series' start.
 constexpr double largest_exposure = 32;
+/// Parts of a step after which a flow counts as impossible: fibers would break three million times.
+constexpr double most_parts = 1e5;
+/// Parts after which a long step is looked at: it ends where nothing that can break is left.
+constexpr double parts_between_looks = 64;
 /// Enough for the tolerance at the largest exposure (the rest is below 1e-14 after 84 terms).
 constexpr std::size_t most_terms = 96;
 
 class AlignedDoubles {
  public:
   explicit AlignedDoubles(std::size_t size)
-      : data_(static_cast<double*>(::operator new[](size * sizeof(double), alignment))) {
+      : data_(static_cast<double*>(::operator new[](size * sizeof(double), alignment))), size_(size) {
     std::fill(data_, data_ + size, 0.0);
   }
   ~AlignedDoubles() { ::operator delete[](data_, alignment); }
   AlignedDoubles(const AlignedDoubles&) = delete;
   AlignedDoubles& operator=(const AlignedDoubles&) = delete;
   [[nodiscard]] double* data() { return data_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
   double& operator[](std::size_t i) { return data_[i]; }
 
  private:
   static constexpr std::align_val_t alignment{64};
   double* data_;
+  std::size_t size_;
 };
 
 void advance_phelps(const PhelpsBlock& block) {
@@ -61,6 +70,10 @@ std::size_t terms_for(double exposure) {
 }
 
 void check_constants(const PhelpsConstants& c) {
+  for (const double number :
+       {c.breakage_coefficient, c.drag_coefficient, c.spread, c.modulus, c.diameter, c.unbreakable_length})
+    if (!std::isfinite(number))
+      throw InputError("the Phelps model has a constant that is not finite", "give finite numbers");
   const bool rates = c.breakage_coefficient >= 0 && std::isfinite(c.breakage_coefficient);
   const bool given = c.unbreakable_length > 0 && std::isfinite(c.unbreakable_length);
   const bool computed = c.drag_coefficient > 0 && c.modulus > 0 && c.diameter > 0;
@@ -69,19 +82,36 @@ void check_constants(const PhelpsConstants& c) {
                      "give C_B, S and either zeta, E_f and d_f or L_ub as positive numbers");
 }
 
+/// Numbers of the packed children: four rows at a time, from their first column on.
+std::size_t packed_size(std::size_t bins) {
+  std::size_t size = 0;
+  for (std::size_t row = 0; row < bins; row += 4) size += 4 * (bins - row - 1);
+  return size;
+}
+
 std::vector<double> packed_children(std::size_t bins, double spread) {
-  const std::vector<double> children = child_numbers(bins, spread);
-  std::vector<double> packed;
-  packed.reserve(bins * (bins + 4) / 2);
-  for (std::size_t row = 0; row < bins; row += 4) {
-    for (std::size_t k = row + 1; k < bins; ++k) {
-      for (std::size_t i = row; i < row + 4; ++i) packed.push_back(i < bins ? children[i + k * bins] : 0.0);
+  require_child_bins(bins, spread);
+  std::vector<double> packed(packed_size(bins), 0.0);
+  std::vector<double> column(bins);
+  for (std::size_t k = 1; k < bins; ++k) {
+    fill_children(k + 1, spread, std::span(column).first(k));
+    double* rows = packed.data();
+    for (std::size_t row = 0; row < k; row += 4) {
+      double* place = rows + 4 * (k - row - 1);
+      for (std::size_t i = row; i < std::min(row + 4, k); ++i) place[i - row] = column[i];
+      rows += 4 * (bins - row - 1);
     }
   }
   return packed;
 }
 
 }  // namespace
+
+void LengthBins::check() const {
+  if (!(largest_length > 0) || !std::isfinite(largest_length))
+    throw InputError("the bins of a length distribution have no length", "give the largest length");
+  if (bins < 2 || bins > most_bins) require_child_bins(bins, 1);
+}
 
 std::vector<double> LengthBins::lengths() const {
   std::vector<double> result(bins);
@@ -91,6 +121,7 @@ std::vector<double> LengthBins::lengths() const {
 
 std::vector<double> sort_into_bins(const LengthClasses& classes, const LengthBins& bins) {
   classes.check();
+  bins.check();
   std::vector<double> numbers(bins.bins, 0.0);
   for (std::size_t j = 0; j < classes.lengths.size(); ++j) {
     // A length computed as a multiple of the width may miss its bin by a few last digits: such a length is
@@ -142,6 +173,13 @@ struct PhelpsSolver::Scratch {
     }
   }
 
+  /// Tells whether any fiber that can break is left.
+  [[nodiscard]] bool can_break() {
+    for (std::size_t i = first_row * lanes; i < share.size(); ++i)
+      if (share[i] > 0 && numbers[i] > 0) return true;
+    return false;
+  }
+
   AlignedDoubles share, numbers, power, broken, integral, weights, tails;
   std::array<double, lanes> largest_rate{};  ///< Q of every lane, 1/s
   std::size_t first_row = 0;
@@ -150,10 +188,19 @@ struct PhelpsSolver::Scratch {
 PhelpsSolver::PhelpsSolver(const PhelpsConstants& constants, const LengthBins& bins)
     : constants_(constants), bins_(bins), padded_bins_((bins.bins + 3) / 4 * 4) {
   check_constants(constants);
-  if (!(bins.largest_length > 0))
-    throw InputError("the bins of a length distribution have no length", "give the largest length");
+  bins.check();
   children_ = packed_children(bins.bins, constants.spread);
   for (const double length : bins.lengths()) fourth_powers_.push_back((length * length) * (length * length));
+}
+
+double PhelpsSolver::memory_bytes(std::size_t bins) {
+  // Also for numbers of bins that are refused, whose packed size would overflow.
+  const double count = static_cast<double>(bins);
+  return sizeof(double) * (0.5 * count * count + 3 * count);
+}
+
+double PhelpsSolver::scratch_bytes(std::size_t bins) {
+  return sizeof(double) * lanes * (5 * static_cast<double>(bins) + 2 * (most_terms + 1.0));
 }
 
 double PhelpsSolver::fill_shares(const LengthFlows& flows, std::size_t first_point, Scratch& scratch) const {
@@ -184,11 +231,12 @@ double PhelpsSolver::fill_shares(const LengthFlows& flows, std::size_t first_poi
   return largest;
 }
 
-void PhelpsSolver::advance_block(const LengthFlows& flows, double duration, std::size_t first_point,
+bool PhelpsSolver::advance_block(const LengthFlows& flows, double duration, std::size_t first_point,
                                  std::span<double> numbers, Scratch& scratch) const {
   const double exposure = fill_shares(flows, first_point, scratch) * duration;
-  if (!(exposure > 0)) return;
+  if (!(exposure > 0)) return true;
   const double parts = std::ceil(exposure / largest_exposure);
+  if (!(parts <= most_parts)) return false;
   const std::size_t terms = terms_for(exposure / parts);
   scratch.fill_weights(terms, duration / parts);
 
@@ -209,23 +257,38 @@ void PhelpsSolver::advance_block(const LengthFlows& flows, double duration, std:
                              scratch.power.data(),
                              scratch.broken.data(),
                              scratch.integral.data()};
-  for (double part = 0; part < parts; ++part) advance_phelps(block);
+  for (double part = 1; part <= parts; ++part) {
+    advance_phelps(block);
+    if (std::fmod(part, parts_between_looks) == 0 && !scratch.can_break()) break;
+  }
   for (std::size_t i = 0; i < bins_.bins; ++i)
     for (std::size_t lane = 0; lane < count; ++lane)
       numbers[i * points + first_point + lane] = scratch.numbers[i * lanes + lane];
+  return true;
 }
 
 void PhelpsSolver::advance(const LengthFlows& flows, double duration, std::span<double> numbers) const {
   const std::size_t points = flows.size();
-  assert(numbers.size() == points * bins_.bins && duration >= 0);
+  require_number("duration", duration, not_negative);
+  flows.check();
+  require_same_size("numbers", numbers.size(), points * bins_.bins);
+  require_numbers("numbers", numbers, not_negative);
+  std::atomic<bool> arrived = true;
   const auto blocks = static_cast<std::ptrdiff_t>((points + lanes - 1) / lanes);
 #pragma omp parallel if (blocks > 1)
   {
     Scratch scratch(padded_bins_);
 #pragma omp for schedule(static)
     for (std::ptrdiff_t block = 0; block < blocks; ++block)
-      advance_block(flows, duration, static_cast<std::size_t>(block) * lanes, numbers, scratch);
+      if (!advance_block(flows, duration, static_cast<std::size_t>(block) * lanes, numbers, scratch))
+        arrived = false;
   }
+  if (!arrived)
+    throw SimulationFailure(
+        fmt::format(
+            "fibers would break more than {:.0g} times in {:g} s: the shear rate or the time is too large",
+            most_parts * largest_exposure, duration),
+        {});
 }
 
 void PhelpsSolver::advance(const LengthFlow& flow, double duration, std::span<double> numbers) const {
@@ -240,7 +303,8 @@ std::vector<double> PhelpsSolver::breakage_rates(const LengthFlow& flow) const {
 
 void PhelpsSolver::breakage_rates(const LengthFlows& flows, std::span<double> rates) const {
   const std::size_t points = flows.size();
-  assert(rates.size() == points * bins_.bins);
+  flows.check();
+  require_same_size("rates", rates.size(), points * bins_.bins);
   for (std::size_t point = 0; point < points; ++point) {
     const LengthFlow flow = flows[point];
     const double coefficient = buckling_coefficient(constants_, flow);

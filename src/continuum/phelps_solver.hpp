@@ -16,6 +16,8 @@ struct LengthBins {
   std::size_t bins = 100;
   double largest_length = 0;  ///< m
 
+  /// Raises InputError unless there are 2 to most_bins bins and a length.
+  void check() const;
   [[nodiscard]] double width() const { return largest_length / static_cast<double>(bins); }
   /// Tells the length of the bin with this index, counted from 0, m.
   [[nodiscard]] double length(std::size_t index) const { return width() * static_cast<double>(index + 1); }
@@ -26,7 +28,7 @@ struct LengthBins {
 /// Sorts a population into bins. A length between two bins is shared between them so that the number of
 /// fibers and their total length are both kept (L_W then rises slightly, by at most a quarter of a squared
 /// bin width over L_N); fibers shorter than the first bin enter it with their length. Raises InputError for
-/// fibers longer than the last bin.
+/// fibers longer than the last bin, and as LengthBins::check.
 [[nodiscard]] std::vector<double> sort_into_bins(const LengthClasses& classes, const LengthBins& bins);
 
 /// Solves dN_i/dt = -P_i N_i + sum_k R_ik N_k, with P from BreakageRate and R from child_numbers.
@@ -37,15 +39,21 @@ struct LengthBins {
 /// cannot break, whatever Durin's rate says: their pieces have no bin, and length would be lost.
 class PhelpsSolver {
  public:
-  /// Raises InputError for constants that are not positive, fewer than two bins, or S below 0.005.
+  /// Raises InputError for constants that are not positive and finite, S below 0.005, and as
+  /// LengthBins::check.
   PhelpsSolver(const PhelpsConstants& constants, const LengthBins& bins);
+
+  /// Tells the memory that a solver of so many bins takes, and each thread that uses it, in bytes.
+  [[nodiscard]] static double memory_bytes(std::size_t bins);
+  [[nodiscard]] static double scratch_bytes(std::size_t bins);
 
   [[nodiscard]] const LengthBins& bins() const { return bins_; }
   [[nodiscard]] const PhelpsConstants& constants() const { return constants_; }
 
   /// Advances n points by `duration` s of constant flow. `numbers` is [bin][point], n points each.
   /// Runs on all threads, without allocating per point; the result does not depend on how many threads there
-  /// are.
+  /// are. Raises InputError, which names the point, for impossible flows or numbers before anything is
+  /// changed, and SimulationFailure where fibers would break more often than can be followed.
   void advance(const LengthFlows& flows, double duration, std::span<double> numbers) const;
   /// Advances one point.
   void advance(const LengthFlow& flow, double duration, std::span<double> numbers) const;
@@ -57,7 +65,8 @@ class PhelpsSolver {
 
  private:
   struct Scratch;
-  void advance_block(const LengthFlows& flows, double duration, std::size_t first_point,
+  /// Returns false, and changes nothing, where fibers would break too often.
+  bool advance_block(const LengthFlows& flows, double duration, std::size_t first_point,
                      std::span<double> numbers, Scratch& scratch) const;
   /// Fills the shares P/Q and returns the largest Q of the block's points, 1/s.
   double fill_shares(const LengthFlows& flows, std::size_t first_point, Scratch& scratch) const;

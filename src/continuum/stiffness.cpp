@@ -5,8 +5,11 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
+#include "microstructure/admissibility.hpp"
 
 namespace fiberfate {
 namespace {
@@ -18,7 +21,8 @@ double delta(int i, int j) {
 }  // namespace
 
 Mat6 isotropic_stiffness(const IsotropicElasticity& material) {
-  if (!(material.modulus > 0) || !(material.poisson > -1) || !(material.poisson < 0.5))
+  if (!(material.modulus > 0) || !std::isfinite(material.modulus) || !(material.poisson > -1) ||
+      !(material.poisson < 0.5))
     throw InputError(
         fmt::format("no elastic material has E = {:g} Pa and nu = {:g}", material.modulus, material.poisson),
         "E is positive and nu between -1 and 1/2");
@@ -30,6 +34,9 @@ Mat6 isotropic_stiffness(const IsotropicElasticity& material) {
 }
 
 Mat6 orthotropic_stiffness(const EngineeringConstants& c) {
+  for (const double modulus : {c.e1, c.e2, c.e3, c.g23, c.g31, c.g12})
+    require_number("modulus", modulus, positive);
+  for (const double ratio : {c.nu23, c.nu31, c.nu12}) require_number("poisson", ratio, any_finite);
   Mat3 compliance;
   compliance << 1 / c.e1, -c.nu12 / c.e1, -c.nu31 / c.e3,  //
       -c.nu12 / c.e1, 1 / c.e2, -c.nu23 / c.e2,            //
@@ -48,6 +55,7 @@ bool stores_energy(const Mat6& stiffness) {
 }
 
 EngineeringConstants engineering_constants(const Mat6& stiffness) {
+  require_numbers("stiffness", stiffness.reshaped(), any_finite);
   // C_ijkl as a plain 6×6 matrix takes engineering shear strains (2 e_ij) to stresses, so its inverse gives
   // compliances.
   const Mat6 s = stiffness.inverse();
@@ -65,6 +73,8 @@ EngineeringConstants engineering_constants(const Mat6& stiffness) {
 }
 
 Mat6 orientation_average(const Mat6& t, const Mat6& fourth, const Mat3& a) {
+  require_numbers("fourth", fourth.reshaped(), any_finite);
+  require_forgivable(a);
   const double b1 = t(0, 0) + t(1, 1) - t(0, 1) - t(1, 0) - 4 * t(5, 5);
   const double b2_upper = t(0, 1) - t(1, 2), b2_lower = t(1, 0) - t(1, 2);
   const double b3 = t(5, 5) + 0.5 * (t(1, 2) - t(1, 1));
@@ -84,6 +94,7 @@ Mat6 orientation_average(const Mat6& t, const Mat6& fourth, const Mat3& a) {
 }
 
 Mat3 orientation_average(const Mat3& t, const Mat3& second) {
+  require_forgivable(second);
   return (t(0, 0) - t(1, 1)) * second + t(1, 1) * Mat3::Identity();
 }
 

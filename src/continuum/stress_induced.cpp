@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -38,6 +39,9 @@ LengthRelaxation StressInduced::operator()(const LengthFlow& flow) const {
 
 double interaction_coefficient(const SteadyAttrition& run, double alpha, double strength, double diameter) {
   check_run(run);
+  require_number("alpha", alpha, any_finite);
+  require_number("strength", strength, positive);
+  require_number("diameter", diameter, positive);
   return run.relaxation.equilibrium_length / diameter /
          std::pow(strength / (run.viscosity * run.rate), alpha);
 }
@@ -45,6 +49,8 @@ double interaction_coefficient(const SteadyAttrition& run, double alpha, double 
 StressInduced solve_stress_induced(const std::array<SteadyAttrition, 2>& runs, double strength,
                                    double diameter) {
   for (const SteadyAttrition& run : runs) check_run(run);
+  require_number("strength", strength, positive);
+  require_number("diameter", diameter, positive);
   const auto& [first, second] = runs;
   const double stress = first.viscosity * first.rate;
   const double other_stress = second.viscosity * second.rate;

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <vector>
 
+#include "continuum/length_parameters.hpp"
 #include "continuum/length_relaxation.hpp"
 
 namespace fiberfate {
@@ -19,6 +22,19 @@ struct StressInduced {
   double beta;      ///< 1
   double strength;  ///< sigma_u, Pa
   double diameter;  ///< d_f, m
+
+  static constexpr const char* name = "stress_induced";
+  static constexpr const char* meaning =
+      "L_inf = lambda d_f (eta rate/sigma_u)^-alpha, k_f = k_0 (eta rate/sigma_u)^beta (thesis 5.8, 5.9)";
+  static std::vector<LawParameter> parameters() {
+    return {interaction_coefficient_parameter(),
+            {"alpha", "1", "Exponent of the final length", required_value},
+            {"k_0", "1/s", "Rate constant at a stress equal to the strength", required_value},
+            {"beta", "1", "Exponent of the rate constant", required_value},
+            fiber_strength(),
+            fiber_diameter()};
+  }
+  static StressInduced of(std::span<const double> v) { return {v[0], v[1], v[2], v[3], v[4], v[5]}; }
 
   LengthRelaxation operator()(const LengthFlow& flow) const;
 };

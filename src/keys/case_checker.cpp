@@ -48,6 +48,14 @@ InputProblem CaseChecker::problem(const std::string& key, const std::string& com
   return problem;
 }
 
+void CaseChecker::report_inside(const std::string& key, const InputProblem& found) {
+  if (found.key.empty()) return error(key, found.complaint, found.remedy);
+  const std::string inside = key + '.' + found.key;
+  if (is_given(inside)) return error(inside, found.complaint, found.remedy);
+  error(key, found.key + (found.value.empty() ? "" : " = " + found.value) + ": " + found.complaint,
+        found.remedy);
+}
+
 void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
   if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
 }

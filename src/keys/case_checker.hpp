@@ -28,13 +28,15 @@ class CaseChecker {
   /// Reports an error at a key; where the key is not given, at the file.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Does the work, reports what it finds wrong (InputError) at a key, and tells whether that is nothing.
+  /// Problems that name a parameter ("C_I") are reported at the key inside ("law.C_I") where the case gives
+  /// it.
   template <class Work>
   bool report_at(const std::string& key, const Work& work) {
     try {
       work();
       return true;
     } catch (const InputError& thrown) {
-      for (const InputProblem& found : thrown.problems()) error(key, found.complaint, found.remedy);
+      for (const InputProblem& found : thrown.problems()) report_inside(key, found);
       return false;
     }
   }
@@ -68,6 +70,7 @@ class CaseChecker {
   [[nodiscard]] const std::vector<InputProblem>& warnings() const { return warnings_; }
 
  private:
+  void report_inside(const std::string& key, const InputProblem& found);
   [[nodiscard]] InputProblem problem(const std::string& key, const std::string& complaint,
                                      const std::string& remedy) const;
   const TomlDocument& document_;

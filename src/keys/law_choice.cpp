@@ -75,7 +75,7 @@ void describe_parameter(KeyTable& table, const LawMenu& menu, const std::string&
 }
 
 void check_value(const std::string& key, const LawParameter& parameter, double value, CaseChecker& checker) {
-  if (value < parameter.lower || value > parameter.upper)
+  if (!std::isfinite(value) || value < parameter.lower || value > parameter.upper)
     checker.error(
         key, "out of range",
         "give " + describe_range(Range::between(parameter.lower, parameter.upper), {parameter.unit, ""}));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "microstructure/eigenframe.hpp"
 
 namespace fiberfate {
@@ -22,6 +23,14 @@ Vec3 onto_simplex(const Vec3& values) {
     if (values[i] - candidate > 0) shift = candidate;
   }
   return (values.array() - shift).cwiseMax(0.0);
+}
+
+std::string format_tensor(const Mat3& a) {
+  Mat3 rest = a;
+  rest.diagonal().setZero();
+  if (rest.isZero(1e-9)) return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", a(0, 0), a(1, 1), a(2, 2));
+  return fmt::format("a11, a22, a33, a23, a31, a12 = [{:.4g}, {:.4g}, {:.4g}, {:.4g}, {:.4g}, {:.4g}]",
+                     a(0, 0), a(1, 1), a(2, 2), a(1, 2), a(0, 2), a(0, 1));
 }
 
 double asymmetry_of(const Mat6& fourth) {
@@ -50,6 +59,37 @@ std::string fault_of(const Mat3& second, double tolerance) {
   const double least = eigenframe(second).values[2];
   if (least < -tolerance) return fmt::format("its smallest principal value is {:.3g}, below 0", least);
   return {};
+}
+
+void require_admissible(const Mat3& tensor, double tolerance) {
+  if (!tensor.allFinite())
+    throw InputError("the orientation tensor has a component that is not a number", "give six numbers");
+  const Mat3 skew = tensor - tensor.transpose();
+  if (skew.cwiseAbs().maxCoeff() > tolerance)
+    throw InputError("the orientation tensor is not symmetric", "make a_ij equal to a_ji");
+  if (std::abs(tensor.trace() - 1) > tolerance)
+    throw InputError(
+        fmt::format("the trace of the orientation tensor is {:.6g}, not 1", tensor.trace()),
+        fmt::format("the nearest possible tensor is {}", format_tensor(nearest_admissible(tensor))));
+  const double least = eigenframe(0.5 * (tensor + tensor.transpose())).values[2];
+  if (least < -tolerance)
+    throw InputError(
+        fmt::format("the orientation tensor has the eigenvalue {:.4g}, and no fibers have a negative one",
+                    least),
+        fmt::format("the nearest possible tensor is {}", format_tensor(nearest_admissible(tensor))));
+}
+
+void require_forgivable(const Mat3& a) {
+  // All invariants of A + forgiven I are positive exactly where no principal value is below -forgiven.
+  const Mat3 b = a + forgiven_departure * Mat3::Identity();
+  const Vec3 off(b(1, 2), b(2, 0), b(0, 1)), other(b(2, 1), b(0, 2), b(1, 0));
+  const double minors = b(0, 0) * b(1, 1) + b(1, 1) * b(2, 2) + b(2, 2) * b(0, 0) - off.squaredNorm();
+  const double determinant = b(0, 0) * (b(1, 1) * b(2, 2) - off[0] * off[0]) -
+                             off[2] * (off[2] * b(2, 2) - off[0] * off[1]) +
+                             off[1] * (off[2] * off[0] - b(1, 1) * off[1]);
+  const bool sound = std::abs(a.trace() - 1) <= forgiven_departure && minors >= 0 && determinant >= 0 &&
+                     (off - other).cwiseAbs().maxCoeff() <= forgiven_departure;
+  if (!sound) require_admissible(a, forgiven_departure);
 }
 
 std::string fault_of(const Mat6& fourth, const Mat3& second, double tolerance) {

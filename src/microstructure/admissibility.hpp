@@ -13,6 +13,19 @@ namespace fiberfate {
 /// principal value, each within `tolerance`.
 [[nodiscard]] std::string fault_of(const Mat3& second, double tolerance = 1e-9);
 
+/// Checks that some distribution of directions has this second moment: finite, symmetric, of unit trace,
+/// without negative principal value, each within `tolerance`. Raises InputError that says what is wrong and
+/// which tensor would be possible.
+void require_admissible(const Mat3& second, double tolerance = 1e-6);
+
+/// Departure from an admissible A2 that a law forgives in what a solver hands it: single precision and
+/// interpolation between nodes lead this far. More is a mistake, and is refused.
+inline constexpr double forgiven_departure = 1e-3;
+
+/// Raises InputError, as require_admissible, for a state that no law takes. Costs little for one that it
+/// does.
+void require_forgivable(const Mat3& second);
+
 /// Says what is wrong with A4, or nothing: symmetric in all four indices, A_ijkk the given A2, and X:A4:X >=
 /// 0 for every symmetric X (a fourth moment is a sum of squares), each within `tolerance`.
 [[nodiscard]] std::string fault_of(const Mat6& fourth, const Mat3& second, double tolerance = 1e-9);

@@ -2,9 +2,10 @@
 #include "microstructure/bootstrap.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
+#include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "base/random.hpp"
 
 namespace fiberfate {
@@ -30,7 +31,8 @@ void draw_counts(std::vector<int>& counts, std::size_t count, int sample, std::u
 }
 
 Interval percentile_interval(double estimate, std::vector<double> values, double level) {
-  assert(!values.empty() && level > 0 && level < 1);
+  require_number("level", level, {.lower = 0, .upper = 1 - 1e-12, .above_lower = true});
+  if (values.empty()) throw InputError("there is nothing to take percentiles of", "resample at least once");
   std::ranges::sort(values);
   return {estimate, quantile(values, 0.5 * (1 - level)), quantile(values, 0.5 * (1 + level))};
 }

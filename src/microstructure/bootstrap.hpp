@@ -19,7 +19,7 @@ struct Interval {
 void draw_counts(std::vector<int>& counts, std::size_t count, int sample, std::uint64_t seed);
 
 /// Reads the quantiles (1 - level)/2 and (1 + level)/2 of values by linear interpolation between order
-/// statistics.
+/// statistics. Raises InputError for no values, or a level outside 0 to 1.
 [[nodiscard]] Interval percentile_interval(double estimate, std::vector<double> values, double level);
 
 }  // namespace fiberfate

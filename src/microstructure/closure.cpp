@@ -1,15 +1,15 @@
 // Calls the closure kernels for single states and keeps the list of closures.
 #include "microstructure/closure.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
+#include <string>
 
-#include "base/error.hpp"
+#include "base/entry_by_name.hpp"
 #include "base/kernels.hpp"
+#include "base/number_checks.hpp"
+#include "microstructure/admissibility.hpp"
 #include "microstructure/closure_block.hpp"
 
 namespace fiberfate {
@@ -68,18 +68,11 @@ Closure closure_named(std::string_view name) {
   std::string wanted(name);
   std::ranges::transform(wanted, wanted.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  std::vector<std::string> names;
-  for (const ClosureDescription& one : descriptions) {
-    if (one.name == wanted) return one.closure;
-    names.emplace_back(one.name);
-  }
-  const std::string near = nearest_word(wanted, names);
-  throw InputError(fmt::format("there is no closure '{}'", name),
-                   near.empty() ? fmt::format("choose one of {}", fmt::join(names, ", "))
-                                : fmt::format("did you mean '{}'?", near));
+  return entry_named(descriptions, "closure", wanted).closure;
 }
 
 Mat6 close(const Mat3& second, Closure closure) {
+  require_forgivable(second);
   // Lane n contracts with the unit tensor (e_k e_l + e_l e_k)/2, which gives the column kl of A4.
   alignas(64) Lanes state{}, units{}, columns{};
   const Vec6 a = to_components(second);
@@ -94,6 +87,8 @@ Mat6 close(const Mat3& second, Closure closure) {
 }
 
 Mat3 closed_double_dot(const Mat3& second, const Mat3& symmetric, Closure closure) {
+  require_forgivable(second);
+  require_numbers("symmetric", symmetric.reshaped(), any_finite);
   alignas(64) Lanes state{}, factor{}, product{};
   const Vec6 a = to_components(second), g = to_components(symmetric);
   for (int m = 0; m < 6; ++m) {

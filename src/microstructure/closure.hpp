@@ -27,14 +27,14 @@ struct ClosureDescription {
 
 /// Closes A4 from A2 as [ij][kl] plain components.
 ///
-/// A2 is symmetric with unit trace. Every closure but the linear one presumes an admissible state (no
-/// negative principal value); slightly negative values, as integrators pass through, are continued smoothly.
+/// A2 is symmetric with unit trace and without negative principal value; departures up to
+/// forgiven_departure are continued smoothly, others raise InputError.
 /// All closures give A_ijkk = A_ij. All but `quadratic` and `hybrid` are symmetric in all four indices. At
 /// equal principal values the fitted orthotropic closures are averaged over the axes, which are not
 /// determined there.
 [[nodiscard]] Mat6 close(const Mat3& second, Closure closure);
 
-/// Contracts A4(A2) : G without forming A4.
+/// Contracts A4(A2) : G without forming A4; raises as `close`.
 [[nodiscard]] Mat3 closed_double_dot(const Mat3& second, const Mat3& symmetric, Closure closure);
 
 }  // namespace fiberfate

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "base/random.hpp"
 
 namespace fiberfate {
@@ -19,6 +20,9 @@ namespace {
 // Most that the mean length may leave that of the law so that the total comes out: realised means keep within
 // 0.5 %.
 constexpr double most_adjustment = 0.0049;
+
+/// More rods a fiber than any cell holds.
+constexpr double most_rods = 1e8;
 
 // Rows of random counters, so that the uses of the length stream stay independent.
 enum Draw : std::uint32_t { place_draw = 0, deal_draw = 1 };
@@ -251,8 +255,9 @@ void check(const LengthHistogram& histogram) {
     throw InputError(
         fmt::format("a length histogram has {} edges and {} heights", edges.size(), histogram.heights.size()),
         "give one edge more than heights");
-  if (edges.front() < 0 ||
-      std::adjacent_find(edges.begin(), edges.end(), std::greater_equal<>()) != edges.end())
+  const auto rise = [](double lower, double upper) { return lower < upper; };
+  if (!(edges.front() >= 0) || !std::isfinite(edges.back()) ||
+      std::adjacent_find(edges.begin(), edges.end(), std::not_fn(rise)) != edges.end())
     throw InputError("the edges of a length histogram do not rise from 0 or above",
                      "sort them and drop doubles");
   double total = 0;
@@ -321,6 +326,8 @@ double weight_average(const LengthLaw& law) {
 std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& request) {
   require_admissible(law);
   if (request.count == 0) return {};
+  if (request.total) require_number("total", *request.total, positive);
+  require_number("shortest", request.shortest, not_negative);
   const double expected = number_average(law), fibers = static_cast<double>(request.count);
   const double wanted = request.total ? *request.total / fibers : expected;
   const Draft draft{request.count,
@@ -332,8 +339,11 @@ std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& re
 }
 
 int rods_for(double length, double target_rod_length) {
+  require_number("length", length, positive);
   if (!(target_rod_length > 0)) return 1;
-  return std::max(1, static_cast<int>(std::lround(length / target_rod_length)));
+  const double rods = std::round(length / target_rod_length);
+  require_number("length / target_rod_length", rods, {.lower = 0, .upper = most_rods});
+  return std::max(1, static_cast<int>(rods));
 }
 
 }  // namespace fiberfate

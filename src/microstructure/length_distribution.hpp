@@ -65,11 +65,12 @@ struct LengthRequest {
   double shortest = 0;               ///< what a histogram or smooth law has below it is as long as this, m
 };
 
-/// Draws lengths (m), dealt at random. They are stratified: every fiber stands for an equal share of the law.
-/// Weibull and log-normal laws of two fibers and more have the law's L_W and the total to round-off; a
-/// histogram's bins hold their shares to one fiber, and inside them fibers move until the total is right; a
-/// list's lengths are used equally often and the rest is picked such that the total comes nearest; a single
-/// length is kept as it is. For the sake of a total L_N is changed by less than 0.5 %.
+/// Draws lengths (m), dealt at random; raises InputError as require_admissible, and for an impossible
+/// request. They are stratified: every fiber stands for an equal share of the law. Weibull and log-normal
+/// laws of two fibers and more have the law's L_W and the total to round-off; a histogram's bins hold their
+/// shares to one fiber, and inside them fibers move until the total is right; a list's lengths are used
+/// equally often and the rest is picked such that the total comes nearest; a single length is kept as it is.
+/// For the sake of a total L_N is changed by less than 0.5 %.
 [[nodiscard]] std::vector<double> sample_lengths(const LengthLaw& law, const LengthRequest& request);
 
 /// Number of equal rods in which a fiber of this length is cut so that they are nearest to the target; at

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 
 namespace fiberfate {
 namespace {
@@ -92,7 +94,8 @@ double weight_average(const MeasuredLengths& fibers) {
 
 LengthShares length_shares(const MeasuredLengths& fibers, const std::vector<double>& edges) {
   require_usable(fibers);
-  if (edges.size() < 2 || std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end())
+  const auto rise = [](double lower, double upper) { return lower < upper; };
+  if (edges.size() < 2 || std::ranges::adjacent_find(edges, std::not_fn(rise)) != edges.end())
     throw InputError("the edges of the bins do not rise", "give at least two edges in rising order");
   LengthShares shares{edges, std::vector<double>(edges.size() - 1), std::vector<double>(edges.size() - 1)};
   for (std::size_t i = 0; i < fibers.lengths.size(); ++i) {
@@ -109,6 +112,7 @@ LengthShares length_shares(const MeasuredLengths& fibers, const std::vector<doub
 std::vector<double> share_deviations(const MeasuredLengths& fibers, const LengthShares& shares) {
   require_usable(fibers);
   const std::size_t bins = shares.by_number.size();
+  require_same_size("shares.edges", shares.edges.size(), bins + 1);
   std::vector<double> squares(bins, 0.0);  // of the numbers in each bin
   double square = 0, sum = 0, rows = 0;
   for (std::size_t i = 0; i < fibers.lengths.size(); ++i) {
@@ -131,6 +135,7 @@ std::vector<double> share_deviations(const MeasuredLengths& fibers, const Length
 
 std::vector<double> even_edges(const MeasuredLengths& fibers, int bins) {
   require_usable(fibers);
+  if (bins < 1) throw InputError(fmt::format("{} bins hold nothing", bins), "take at least one");
   const double longest = std::ranges::max(fibers.lengths);
   std::vector<double> edges(static_cast<std::size_t>(bins) + 1);
   for (std::size_t k = 0; k < edges.size(); ++k) edges[k] = longest * static_cast<double>(k) / bins;

@@ -1,23 +1,21 @@
 // Draws fiber directions whose second moment is a given orientation tensor.
 #include "microstructure/orientation_sampling.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <string>
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "base/random.hpp"
+#include "microstructure/admissibility.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr double admissible_tolerance = 1e-6;
 // Eigenvalues below this count as zero: no fiber has a component along that axis.
 constexpr double planar_limit = 1e-9;
 constexpr double golden_angle = 2.39996322972865332;  // pi (3 − sqrt 5)
@@ -35,28 +33,6 @@ struct PrincipalAxes {
   Vec3 values;  ///< falling
   Mat3 axes;    ///< columns
 };
-
-std::string format_tensor(const Mat3& a) {
-  Mat3 rest = a;
-  rest.diagonal().setZero();
-  if (rest.isZero(1e-9)) return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", a(0, 0), a(1, 1), a(2, 2));
-  return fmt::format("a11, a22, a33, a23, a31, a12 = [{:.4g}, {:.4g}, {:.4g}, {:.4g}, {:.4g}, {:.4g}]",
-                     a(0, 0), a(1, 1), a(2, 2), a(1, 2), a(0, 2), a(0, 1));
-}
-
-/// Nearest tensor without negative eigenvalues and with unit trace (projection of the eigenvalues on the
-/// simplex).
-Mat3 nearest_admissible(const Mat3& tensor) {
-  const PrincipalAxes principal(tensor);
-  Vec3 values = Vec3::Zero();
-  for (int kept = 3; kept >= 1; --kept) {
-    const double excess = (principal.values.head(kept).sum() - 1) / kept;
-    values.setZero();
-    values.head(kept) = principal.values.head(kept).array() - excess;
-    if (values.minCoeff() >= 0) break;
-  }
-  return principal.axes * values.asDiagonal() * principal.axes.transpose();
-}
 
 /// Points spread evenly over a half sphere (axes have no sign).
 std::vector<Vec3> fibonacci_half_sphere(std::size_t count) {
@@ -167,25 +143,8 @@ void fit_second_moment(std::vector<Vec3>& directions, std::span<const double> we
 
 }  // namespace
 
-void require_admissible(const Mat3& tensor) {
-  if (!tensor.allFinite())
-    throw InputError("the orientation tensor has a component that is not a number", "give six numbers");
-  const Mat3 skew = tensor - tensor.transpose();
-  if (skew.cwiseAbs().maxCoeff() > admissible_tolerance)
-    throw InputError("the orientation tensor is not symmetric", "make a_ij equal to a_ji");
-  if (std::abs(tensor.trace() - 1) > admissible_tolerance)
-    throw InputError(
-        fmt::format("the trace of the orientation tensor is {:.6g}, not 1", tensor.trace()),
-        fmt::format("the nearest possible tensor is {}", format_tensor(nearest_admissible(tensor))));
-  const double least = PrincipalAxes(tensor).values[2];
-  if (least < -admissible_tolerance)
-    throw InputError(
-        fmt::format("the orientation tensor has the eigenvalue {:.4g}, and no fibers have a negative one",
-                    least),
-        fmt::format("the nearest possible tensor is {}", format_tensor(nearest_admissible(tensor))));
-}
-
 Mat3 second_moment(std::span<const Vec3> directions, std::span<const double> weights) {
+  require_same_size("weights", weights.size(), directions.size());
   Mat3 moment = Mat3::Zero();
   double total = 0;
   for (std::size_t i = 0; i < directions.size(); ++i) {
@@ -199,6 +158,7 @@ std::vector<Vec3> sample_orientations(const Mat3& tensor, std::span<const double
                                       OrientationDistribution law, std::uint64_t seed) {
   require_admissible(tensor);
   if (weights.empty()) return {};
+  require_numbers("weights", weights, positive);
   const PrincipalAxes principal(nearest_admissible(tensor));
   const Vec3 values = principal.values.cwiseMax(0.0);
   std::vector<Vec3> directions = law == OrientationDistribution::subclusters
@@ -224,6 +184,7 @@ std::vector<Vec3> deal_orientations(std::span<const Vec3> directions, std::span<
   }
   const Mat3 measured = second_moment(deck, std::vector<double>(deck.size(), 1.0));
   shuffle(deck, seed, cluster_draw);
+  require_numbers("weights", weights, positive);
   std::vector<Vec3> dealt(weights.size());
   for (std::size_t i = 0; i < dealt.size(); ++i) dealt[i] = deck[i % deck.size()];
   shuffle(dealt, seed, deal_draw);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "microstructure/admissibility.hpp"
 
 namespace fiberfate {
 
@@ -14,11 +15,6 @@ enum class OrientationDistribution {
   angular_central_gaussian,  ///< p = B u / |B u|, u isotropic: smooth; B is fitted to A2
   subclusters,               ///< mixture of 3D-random, planar-random and aligned (thesis 3.28, 3.29)
 };
-
-/// Checks that some distribution of directions has this second moment: symmetric, unit trace, no negative
-/// eigenvalue (each within 1e-6). Raises InputError that says what is wrong and which tensor would be
-/// possible.
-void require_admissible(const Mat3& tensor);
 
 /// Draws one direction for each weight (length of the fiber, m) such that sum(w p p) / sum(w) = `tensor`.
 ///

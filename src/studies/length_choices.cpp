@@ -39,7 +39,7 @@ KeyRows<LengthChoices> length_form_rows() {
       key("form", &Lengths::form, forms, "What is followed.", "thesis 4.3 (means), 4.4 (distribution)"),
       key("weight", &Lengths::weight, weights,
           "What a class keeps while it becomes shorter; not for phelps and durin."),
-      key("bins", &Lengths::bins, {}, Range::between(2, 100000),
+      key("bins", &Lengths::bins, {}, Range::between(2, static_cast<double>(most_bins)),
           "Bins of phelps and durin. L_ub should span several of them."),
       key("largest_length", &Lengths::largest_length, {"m", "mm"}, Range::positive(10),
           "Length of the last bin; not given: the longest fiber at the start."),

@@ -96,6 +96,8 @@ CaseEstimate estimate_attrition(const AttritionCase& values) {
                                 fmt::format("{:.6g} 1/s", relaxation->at(flow).rate_constant));
   estimate.facts.emplace_back("rows of series.csv", fmt::format("{}", output_times(values).size()));
   estimate.memory_bytes = 1e7;
+  if (needs_bins(values.law) || needs_bins(values.compared))
+    estimate.memory_bytes += PhelpsSolver::memory_bytes(static_cast<std::size_t>(values.fibers.bins));
   estimate.wall_seconds = 1e-4 * static_cast<double>(output_times(values).size());
   estimate.assumption = "0.1 ms an output";
   return estimate;

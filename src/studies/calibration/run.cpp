@@ -66,10 +66,11 @@ class OneFit {
     result_ = fit(problem_, options);
     summary.steps = summary.steps.value_or(0) + result_.iterations;
     append_estimates(summary);
-    append_findings(summary, log);
+    const std::vector<Profile> profiles = found_profiles(options);
+    append_findings(profiles, summary, log);
     append_fit(tables.fit);
     append_curves(tables.curves);
-    append_profiles(options, tables.profile, summary);
+    append_profiles(profiles, tables.profile, summary);
     append_bootstrap(tables.bootstrap, summary);
     append_sweep(tables, summary);
   }
@@ -106,9 +107,12 @@ class OneFit {
     add(summary, "average_error_percent", average_error_percent(observed, result_.predictions));
   }
 
-  void append_findings(RunSummary& summary, Recorder& log) const {
+  void append_findings(const std::vector<Profile>& profiles, RunSummary& summary, Recorder& log) const {
     std::vector<std::string> texts;
     for (const Finding& finding : result_.findings) texts.push_back(finding.text);
+    for (const Profile& one : profiles)
+      for (const Finding& finding : one.findings) texts.push_back(finding.text);
+    const std::size_t warnings = texts.size();
     // The strength enters as a ratio to the stress only: which unit it was given in cannot be seen from the
     // fit.
     for (const ParameterEstimate& estimate : result_.parameters)
@@ -119,8 +123,7 @@ class OneFit {
             estimate.value));
     for (std::size_t i = 0; i < texts.size(); ++i) {
       add(summary, fmt::format("finding_{}", i + 1), texts[i]);
-      if (i < result_.findings.size())
-        log.warn(prefix_.empty() ? texts[i] : fmt::format("{}: {}", prefix_, texts[i]));
+      if (i < warnings) log.warn(prefix_.empty() ? texts[i] : fmt::format("{}: {}", prefix_, texts[i]));
     }
   }
 
@@ -161,12 +164,25 @@ class OneFit {
                       band.observation[at].upper});
   }
 
-  void append_profiles(const FitOptions& options, CsvTable& table, RunSummary& summary) const {
-    if (values_.search.profiles == ProfileChoice::none) return;
-    if (result_.degrees_of_freedom <= 0 && problem_.noise == NoiseScale::estimated) return;
+  [[nodiscard]] bool is_profiled(std::size_t parameter) const {
+    if (values_.search.profiles == ProfileChoice::none) return false;
+    if (result_.degrees_of_freedom <= 0 && problem_.noise == NoiseScale::estimated) return false;
+    return result_.parameters[parameter].outcome == ParameterOutcome::determined;
+  }
+
+  /// One profile a free parameter that is determined, in their order.
+  [[nodiscard]] std::vector<Profile> found_profiles(const FitOptions& options) const {
+    std::vector<Profile> profiles;
+    for (const std::size_t parameter : problem_.free_parameters())
+      if (is_profiled(parameter)) profiles.push_back(profile(problem_, result_, parameter, options));
+    return profiles;
+  }
+
+  void append_profiles(const std::vector<Profile>& profiles, CsvTable& table, RunSummary& summary) const {
+    std::size_t next = 0;
     for (const std::size_t parameter : problem_.free_parameters()) {
-      if (result_.parameters[parameter].outcome != ParameterOutcome::determined) continue;
-      const Profile found = profile(problem_, result_, parameter, options);
+      if (!is_profiled(parameter)) continue;
+      const Profile& found = profiles[next++];
       add(summary, problem_.parameters[parameter].name + "_profile_lower", found.interval.lower);
       add(summary, problem_.parameters[parameter].name + "_profile_upper", found.interval.upper);
       for (std::size_t i = 0; i < found.values.size(); ++i)

@@ -13,6 +13,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 void append(LengthClasses& all, const LengthClasses& some, double weight) {
   all.lengths.insert(all.lengths.end(), some.lengths.begin(), some.lengths.end());
   for (const double number : some.numbers) all.numbers.push_back(weight * number);
+  all.width = some.width;
 }
 
 MeanLengths means_of(const LengthClasses& population) {
@@ -29,6 +30,7 @@ LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::
   if (!bins.empty()) {
     population.lengths.assign(bins.begin(), bins.end());
     population.numbers.assign(fields.begin(), fields.end());
+    population.width = bins.front();  // the first bin is one width long
     return population;
   }
   const MoldingFibers& fibers = setup_.params.fibers;

@@ -138,6 +138,7 @@ CsvTable histogram_table(const MoldingFields& fields, const std::vector<std::vec
         all.lengths.insert(all.lengths.end(), one.lengths.begin(), one.lengths.end());
         const double volume = fields.filling().mesh().volume(static_cast<std::size_t>(node));
         for (const double number : one.numbers) all.numbers.push_back(number * volume);
+        all.width = one.width;
       }
       if (!all.lengths.empty())
         append_histogram(table, static_cast<double>(p), static_cast<double>(set), all, edges);

@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "continuum/couette_rheometer.hpp"
+#include "continuum/viscosity_newtonian.hpp"
+#include "continuum/viscosity_power_law.hpp"
 
 namespace fiberfate {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "continuum/rate_power.hpp"
 #include "continuum/stress_induced.hpp"
 #include "continuum/unbreakable_length.hpp"
 

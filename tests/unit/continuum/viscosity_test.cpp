@@ -7,6 +7,11 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "continuum/viscosity_carreau.hpp"
+#include "continuum/viscosity_cross.hpp"
+#include "continuum/viscosity_cross_wlf.hpp"
+#include "continuum/viscosity_newtonian.hpp"
+#include "continuum/viscosity_power_law.hpp"
 
 namespace fiberfate {
 namespace {
