@@ -32,8 +32,7 @@ Shell plaque() {
 }
 
 void fill(Filling& filling) {
-  while (!filling.finished()) filling.advance();
-  EXPECT_EQ(filling.state().stop_reason, FillingEnd::filled);
+  EXPECT_EQ(filling.run_to_end().stop_reason, FillingEnd::filled);
 }
 
 OrientationModel iard_rpr(double beta) {

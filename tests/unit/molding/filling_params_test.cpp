@@ -18,6 +18,22 @@ ShellMesh square() {
       {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0.002, 0.002}, {}, {}});
 }
 
+/// A square metre of 8 x 8 cells.
+ShellMesh plate() {
+  constexpr Index cells = 8;
+  Shell shell;
+  for (Index j = 0; j <= cells; ++j)
+    for (Index i = 0; i <= cells; ++i) shell.nodes.emplace_back(i / 8.0, j / 8.0, 0);
+  for (Index j = 0; j < cells; ++j)
+    for (Index i = 0; i < cells; ++i) {
+      const Index a = j * (cells + 1) + i, d = a + cells + 1;
+      shell.triangles.push_back({a, a + 1, d + 1});
+      shell.triangles.push_back({a, d + 1, d});
+    }
+  shell.thickness.assign(shell.triangles.size(), 0.002);
+  return ShellMesh(shell);
+}
+
 FillingParams sound() {
   FillingParams params;
   const double values[] = {100};
@@ -29,7 +45,7 @@ FillingParams sound() {
 
 std::string complaint(const FillingParams& params) {
   try {
-    check_params(params, square());
+    check_params(params, plate());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -70,6 +86,18 @@ TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
   EXPECT_NE(complaint(params).find("give at least one flow rate"), std::string::npos);
   params.process.flow = {{{0, 1e-6}, {0, 2e-6}}};
   EXPECT_NE(complaint(params).find("do not rise"), std::string::npos);
+}
+
+TEST(FillingParamsChecks, AMeshThatCannotShowAFrontIsRefused) {
+  try {
+    check_params(sound(), square());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "mesh: its 2 triangles are too few: no node is more than 1 edges from a gate: mesh the part so "
+        "that melt passes 4 edges and more on its longest way, better 20");
+  }
 }
 
 TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {
