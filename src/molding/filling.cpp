@@ -17,6 +17,7 @@
 #include "molding/heat.hpp"
 #include "molding/length_transport.hpp"
 #include "molding/orientation_transport.hpp"
+#include "molding/state_checks.hpp"
 #include "molding/step_control.hpp"
 #include "molding/step_record.hpp"
 #include "molding/sweep.hpp"
@@ -231,17 +232,7 @@ Filling::Filling(ShellMesh mesh, FillingParams params)
 
 Filling::Filling(ShellMesh mesh, FillingParams params, FillingState state)
     : Filling(std::move(mesh), std::move(params)) {
-  const FillingState& empty = parts_->state;
-  bool fits = state.gates.size() == empty.gates.size() &&
-              state.sensor_arrivals.size() == empty.sensor_arrivals.size() &&
-              state.filled.size() == empty.filled.size() &&
-              state.temperature.size() == empty.temperature.size() &&
-              state.lengths.size() == empty.lengths.size();
-  for (std::size_t m = 0; m < 6; ++m)
-    fits = fits && state.orientation[m].size() == empty.orientation[m].size();
-  if (!fits)
-    throw InputError("the state of this filling belongs to another mesh or other parameters",
-                     "continue with the mesh, gates, layers and fibers that it was made with");
+  check_state(state, parts_->state, parts_->params);
   parts_->state = std::move(state);
   parts_->field.gradient = parts_->state.gradient;
   parts_->link_gates();

@@ -25,7 +25,7 @@ class Filling {
  public:
   /// Starts with an empty cavity; raises InputError as check_params.
   Filling(ShellMesh mesh, FillingParams params);
-  /// Continues from a state; raises InputError when it does not belong to mesh and parameters.
+  /// Continues from a state; raises InputError as check_state.
   Filling(ShellMesh mesh, FillingParams params, FillingState state);
   ~Filling();
   Filling(Filling&&) noexcept;

@@ -30,6 +30,25 @@ TEST(FillingInvariance, AForeignStateIsRefused) {
   FillingParams other = full_params();
   other.numerics.layers = 10;
   EXPECT_THROW(Filling(ShellMesh(plaque()), other, filling.state()), InputError);
+  const auto complaint = [](const FillingState& state) -> std::string {
+    try {
+      Filling(ShellMesh(plaque()), full_params(), state);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint(filling.state()), "");
+  FillingState state = filling.state();
+  state.filled.pop_back();
+  state.rate[7] = -1;
+  state.gates[1].moves = 9;
+  state.mark[0] = static_cast<NodeMark>(77);
+  const std::string told = complaint(state);
+  for (const char* part : {"state/filled: 285 values where 286 belong", "state/rate: value 7 is -1",
+                           "state/gates: gate gate cannot have moved 9 times",
+                           "state/mark: there are no such marks", "from a checkpoint that is whole"})
+    EXPECT_NE(told.find(part), std::string::npos) << part << "\nin\n" << told;
 }
 
 /// Fibers raise the viscosity in shear by 1 + R (D:A4:D)/(D:D): with isotropic fibers, 2/15 of the squared
