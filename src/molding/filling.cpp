@@ -61,6 +61,7 @@ struct Filling::Parts {
   std::array<double, filling_phase_count> seconds{};
 
   void start();
+  [[nodiscard]] StateShape shape() const;
   void link_gates();
   void follow_gates();
   [[nodiscard]] std::vector<double> stretching_now() const;
@@ -95,6 +96,15 @@ void Filling::Parts::start() {
   if (params.fibers.orientation)
     for (auto& component : state.orientation) component.assign(points, 0);
   state.lengths.assign(points * lengths.field_count(), 0);
+}
+
+StateShape Filling::Parts::shape() const {
+  StateShape shape{
+      mesh.node_count(),     layers.count(),        params.fibers.orientation ? state.orientation.size() : 0,
+      lengths.field_count(), params.sensors.size(), {}};
+  for (const Gate& gate : params.gates)
+    shape.most_moves.push_back(2 * static_cast<int>(gate.intervals.size()));
+  return shape;
 }
 
 void Filling::Parts::link_gates() {
@@ -232,7 +242,7 @@ Filling::Filling(ShellMesh mesh, FillingParams params)
 
 Filling::Filling(ShellMesh mesh, FillingParams params, FillingState state)
     : Filling(std::move(mesh), std::move(params)) {
-  check_state(state, parts_->state, parts_->params);
+  check_state(state, parts_->shape());
   parts_->state = std::move(state);
   parts_->field.gradient = parts_->state.gradient;
   parts_->link_gates();

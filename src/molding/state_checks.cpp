@@ -30,29 +30,25 @@ bool is_share(double value) {
 
 class StateChecker {
  public:
-  StateChecker(const FillingState& state, const FillingState& empty) : state_(state), empty_(empty) {}
+  StateChecker(const FillingState& state, const StateShape& shape) : state_(state), shape_(shape) {}
 
   void check_arrays() {
-    array("sensor_arrivals", &FillingState::sensor_arrivals, is_finite_or_nan);
-    array("filled", &FillingState::filled, is_share);
-    array("excess", &FillingState::excess, is_finite);
-    array("fill_time", &FillingState::fill_time, is_finite_or_nan);
-    array("pressure", &FillingState::pressure, is_finite);
-    array("temperature", &FillingState::temperature, is_not_negative);
-    array("rate", &FillingState::rate, is_not_negative);
-    array("lengths", &FillingState::lengths, is_not_negative);
+    const std::size_t nodes = shape_.nodes, points = nodes * shape_.layers;
+    values("sensor_arrivals", state_.sensor_arrivals, shape_.sensors, is_finite_or_nan);
+    values("filled", state_.filled, nodes, is_share);
+    values("excess", state_.excess, nodes, is_finite);
+    values("fill_time", state_.fill_time, nodes, is_finite_or_nan);
+    values("pressure", state_.pressure, nodes, is_finite);
+    values("temperature", state_.temperature, points, is_not_negative);
+    values("rate", state_.rate, points, is_not_negative);
+    values("lengths", state_.lengths, points * shape_.fields, is_not_negative);
     for (std::size_t m = 0; m < state_.orientation.size(); ++m)
-      values(fmt::format("orientation_{}", m), state_.orientation[m], empty_.orientation[m].size(),
+      values(fmt::format("orientation_{}", m), state_.orientation[m], m < shape_.components ? points : 0,
              is_finite);
-    size("gradient", state_.gradient.size(), empty_.gradient.size());
-    size("inflow", state_.inflow.size(), empty_.inflow.size());
-    size("mark", state_.mark.size(), empty_.mark.size());
-    if (!state_.covered.empty()) size("covered", state_.covered.size(), empty_.filled.size());
-    for (const auto& [name, vectors] : {std::pair("gradient", &state_.gradient), {"inflow", &state_.inflow}})
-      require(name,
-              std::all_of(vectors->begin(), vectors->end(),
-                          [](const Vec2& vector) { return vector.allFinite(); }),
-              "some are not finite");
+    vectors("gradient", state_.gradient);
+    vectors("inflow", state_.inflow);
+    size("mark", state_.mark.size(), nodes);
+    if (!state_.covered.empty()) size("covered", state_.covered.size(), nodes);
     require("mark",
             std::all_of(state_.mark.begin(), state_.mark.end(),
                         [](NodeMark mark) { return mark <= NodeMark::last_filled; }),
@@ -76,24 +72,24 @@ class StateChecker {
             "there is no such control");
   }
 
-  void check_gates(const FillingParams& params) {
-    size("gates", state_.gates.size(), empty_.gates.size());
-    for (std::size_t g = 0; g < std::min(state_.gates.size(), params.gates.size()); ++g) {
+  void check_gates() {
+    size("gates", state_.gates.size(), shape_.most_moves.size());
+    for (std::size_t g = 0; g < std::min(state_.gates.size(), shape_.most_moves.size()); ++g) {
       const GateState& gate = state_.gates[g];
-      const auto most = 2 * static_cast<int>(params.gates[g].intervals.size());
-      require("gates", gate.moves >= 0 && gate.moves <= most,
-              fmt::format("gate {} cannot have moved {} times", params.gates[g].name, gate.moves));
+      require("gates", gate.moves >= 0 && gate.moves <= shape_.most_moves[g],
+              fmt::format("gate {} cannot have moved {} times", g, gate.moves));
       require("gates",
               is_finite_or_nan(gate.arrival_time) && is_finite(gate.pressure) && is_finite(gate.rate) &&
                   is_finite(gate.volume),
-              fmt::format("numbers of gate {} are not finite", params.gates[g].name));
+              fmt::format("numbers of gate {} are not finite", g));
     }
-    for (const FillingEvent& event : state_.events)
-      require("events",
-              is_not_negative(event.time) && is_finite(event.filled_fraction) &&
-                  event.kind >= FillingEventKind::gate_opened && event.kind <= FillingEventKind::ended &&
-                  event.gate >= -1 && event.gate < std::ssize(params.gates),
-              "there are no such events");
+    const auto is_possible = [this](const FillingEvent& event) {
+      return is_not_negative(event.time) && is_finite(event.filled_fraction) &&
+             event.kind >= FillingEventKind::gate_opened && event.kind <= FillingEventKind::ended &&
+             event.gate >= -1 && event.gate < std::ssize(state_.gates);
+    };
+    require("events", std::all_of(state_.events.begin(), state_.events.end(), is_possible),
+            "there are no such events");
   }
 
   void raise() const {
@@ -116,21 +112,23 @@ class StateChecker {
     if (fault != found.end())
       require(name, false, fmt::format("value {} is {:g}", fault - found.begin(), *fault));
   }
-  void array(const char* name, std::vector<double> FillingState::*member, bool (*allowed)(double)) {
-    values(name, state_.*member, (empty_.*member).size(), allowed);
+  void vectors(const char* name, const std::vector<Vec2>& found) {
+    size(name, found.size(), shape_.nodes);
+    require(name, std::all_of(found.begin(), found.end(), [](const Vec2& one) { return one.allFinite(); }),
+            "some are not finite");
   }
 
   const FillingState& state_;
-  const FillingState& empty_;
+  const StateShape& shape_;
   std::vector<InputProblem> problems_;
 };
 
 }  // namespace
 
-void check_state(const FillingState& state, const FillingState& empty, const FillingParams& params) {
-  StateChecker checker(state, empty);
+void check_state(const FillingState& state, const StateShape& shape) {
+  StateChecker checker(state, shape);
   checker.check_numbers();
-  checker.check_gates(params);
+  checker.check_gates();
   checker.check_arrays();
   checker.raise();
 }

@@ -30,7 +30,7 @@ void MoldExperiment::fill() {
   setup_ = setup_ ? molding_setup(values_, setup_->part.shell) : molding_setup(values_);
   filling_.emplace(ShellMesh(setup_->part.shell), setup_->params);
   if (!is_coupled()) filling_->keep_steps();
-  while (!filling_->finished()) filling_->advance();
+  filling_->run_to_end();
   ++fillings_;
 }
 

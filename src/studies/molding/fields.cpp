@@ -65,28 +65,53 @@ MeanLengths MoldingFields::means(std::size_t set, std::size_t node) const {
 }
 
 MeanLengths MoldingFields::means(std::size_t set, std::span<const Index> nodes) const {
-  const std::span<const double> widths = filling_.layers().widths();
-  LengthClasses all;
-  MeanLengths sum;
-  double weights = 0;
+  return setup_.reading == LengthReading::population ? sample_means(set, nodes) : gap_means(set, nodes);
+}
+
+template <class Body>
+double MoldingFields::visit_wet(std::span<const Index> nodes, const Body& body) const {
+  double volumes = 0;
   for (const Index index : nodes) {
     const auto node = static_cast<std::size_t>(index);
     if (!is_wet(node)) continue;
     const double volume = filling_.mesh().volume(node) * filling_.state().filled[node];
-    weights += volume;
-    if (setup_.reading == LengthReading::population) {
-      append(all, population(set, node), volume);
-      continue;
-    }
-    for (std::size_t layer = 0; layer < widths.size(); ++layer) {
-      const std::span<const double> both = filling_.lengths(set, node, layer);
-      sum.number_average += volume * widths[layer] * both[0];
-      sum.weight_average += volume * widths[layer] * both[1];
-    }
+    volumes += volume;
+    body(node, volume);
   }
-  if (weights <= 0) return {nan, nan};
-  if (setup_.reading == LengthReading::population) return means_of(all);
-  return {sum.number_average / weights, sum.weight_average / weights};
+  return volumes;
+}
+
+MeanLengths MoldingFields::gap_means(std::size_t set, std::span<const Index> nodes) const {
+  const std::span<const double> widths = filling_.layers().widths();
+  MeanLengths sum;
+  const double volumes = visit_wet(nodes, [&](std::size_t node, double volume) {
+    for (std::size_t layer = 0; layer < widths.size(); ++layer) {
+      const MeanLengths one = means(set, node, layer);
+      sum.number_average += volume * widths[layer] * one.number_average;
+      sum.weight_average += volume * widths[layer] * one.weight_average;
+    }
+  });
+  if (volumes <= 0) return {nan, nan};
+  return {sum.number_average / volumes, sum.weight_average / volumes};
+}
+
+MeanLengths MoldingFields::sample_means(std::size_t set, std::span<const Index> nodes) const {
+  if (setup_.reading == LengthReading::population) {
+    LengthClasses all;
+    visit_wet(nodes, [&](std::size_t node, double volume) { append(all, population(set, node), volume); });
+    return means_of(all);
+  }
+  const std::span<const double> widths = filling_.layers().widths();
+  double numbers = 0, weighted = 0;
+  const double volumes = visit_wet(nodes, [&](std::size_t node, double volume) {
+    for (std::size_t layer = 0; layer < widths.size(); ++layer) {
+      const MeanLengths one = means(set, node, layer);
+      numbers += volume * widths[layer] / one.number_average;
+      weighted += volume * widths[layer] * one.weight_average;
+    }
+  });
+  if (volumes <= 0) return {nan, nan};
+  return {volumes / numbers, weighted / volumes};
 }
 
 LengthClasses MoldingFields::inlet_population() const {
@@ -109,16 +134,6 @@ std::vector<Index> sample_nodes(const MoldingFields& fields, const NamedPlace& p
       nodes.push_back(static_cast<Index>(i));
   if (nodes.empty()) nodes.push_back(static_cast<Index>(mesh.nearest_node(at)));
   return nodes;
-}
-
-std::vector<ShellEdge> weld_edges(const Filling& filling) {
-  const std::vector<NodeMark>& mark = filling.state().mark;
-  std::vector<ShellEdge> edges;
-  for (const ShellEdge& edge : filling.mesh().edges())
-    if (mark[static_cast<std::size_t>(edge.first)] == NodeMark::weld_line &&
-        mark[static_cast<std::size_t>(edge.second)] == NodeMark::weld_line)
-      edges.push_back(edge);
-  return edges;
 }
 
 }  // namespace fiberfate

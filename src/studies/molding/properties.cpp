@@ -11,6 +11,9 @@
 namespace fiberfate {
 namespace {
 
+/// Plies into which half the gap is parted for solvers of structures.
+constexpr std::size_t plies_of_half_gap = 4;
+
 /// Tabulates aligned composites over the aspect ratio; stiffness is smooth in its logarithm.
 class AlignedTable {
  public:
@@ -67,18 +70,48 @@ ThermoelasticProperties aligned_at(const MoldingFields& fields, const AlignedTab
   return {sum.stiffness / shares, sum.thermal_stress / shares};
 }
 
+/// Names layers of half the gap, from the mid-plane outwards.
+struct LayerRange {
+  std::size_t first = 0;
+  std::size_t end = 0;
+};
+
+/// Tells the share of half the gap that layers take.
+double share_of(const GapLayers& layers, const LayerRange& range) {
+  return layers.bounds()[range.end] - layers.bounds()[range.first];
+}
+
+/// Parts the layers of half the gap into plies of about one thickness, from the mid-plane outwards.
+std::vector<LayerRange> ply_ranges(const GapLayers& layers) {
+  std::vector<LayerRange> ranges;
+  for (std::size_t first = 0, end = 0; first < layers.count(); first = end) {
+    const double wanted = static_cast<double>(ranges.size() + 1) / static_cast<double>(plies_of_half_gap);
+    for (end = first + 1; end < layers.count() && layers.bounds()[end] < wanted - 1e-9;) ++end;
+    ranges.push_back({first, end});
+  }
+  return ranges;
+}
+
 ThermoelasticProperties node_properties(const MoldingFields& fields, const AlignedTable& table,
-                                        std::size_t node) {
+                                        std::size_t node, const LayerRange& range) {
   ThermoelasticProperties sum;
-  const std::span<const double> widths = fields.filling().layers().widths();
+  const GapLayers& layers = fields.filling().layers();
   const Closure closure = fields.setup().params.fibers.orientation->closure;
-  for (std::size_t layer = 0; layer < widths.size(); ++layer) {
+  for (std::size_t layer = range.first; layer < range.end; ++layer) {
     const Mat3 second = fields.filling().orientation(node, layer);
     const ThermoelasticProperties one =
         orientation_average(aligned_at(fields, table, node, layer), close(second, closure), second);
-    sum.stiffness += widths[layer] * one.stiffness;
-    sum.thermal_stress += widths[layer] * one.thermal_stress;
+    const double share = layers.widths()[layer] / share_of(layers, range);
+    sum.stiffness += share * one.stiffness;
+    sum.thermal_stress += share * one.thermal_stress;
   }
+  return sum;
+}
+
+Mat3 node_orientation(const MoldingFields& fields, std::size_t node, const LayerRange& range) {
+  Mat3 sum = Mat3::Zero();
+  for (std::size_t layer = range.first; layer < range.end; ++layer)
+    sum += fields.filling().layers().widths()[layer] * fields.filling().orientation(node, layer);
   return sum;
 }
 
@@ -112,6 +145,31 @@ TriangleProperties in_axes(const ThermoelasticProperties& properties, const Mat3
   return {axes, engineering_constants(turned.stiffness), thermal_expansion(turned).diagonal()};
 }
 
+std::vector<TriangleProperties> properties_of(const MoldingFields& fields, const LayerRange& range) {
+  const CompositeMaterial material = composite_of(fields.values());
+  const AlignedTable table(material, fields.values().composite.model);
+  const Shell& shell = fields.filling().mesh().shell();
+  std::vector<ThermoelasticProperties> by_node(shell.nodes.size(), matrix_properties(material));
+  parallel_for(static_cast<std::ptrdiff_t>(by_node.size()), [&](std::ptrdiff_t i) {
+    const auto node = static_cast<std::size_t>(i);
+    if (fields.is_wet(node)) by_node[node] = node_properties(fields, table, node, range);
+  });
+  std::vector<TriangleProperties> properties(shell.triangles.size());
+  parallel_for(static_cast<std::ptrdiff_t>(properties.size()), [&](std::ptrdiff_t t) {
+    const auto triangle = static_cast<std::size_t>(t);
+    ThermoelasticProperties mean;
+    Mat3 second = Mat3::Zero();
+    for (const Index index : shell.triangles[triangle]) {
+      const auto node = static_cast<std::size_t>(index);
+      mean.stiffness += by_node[node].stiffness / 3;
+      mean.thermal_stress += by_node[node].thermal_stress / 3;
+      if (fields.is_wet(node)) second += node_orientation(fields, node, range) / 3;
+    }
+    properties[triangle] = in_axes(mean, material_axes(shell, triangle, second));
+  });
+  return properties;
+}
+
 FrameArray triangle_array(const char* name, const char* unit,
                           const std::vector<TriangleProperties>& properties,
                           double (*value)(const TriangleProperties&)) {
@@ -129,28 +187,14 @@ bool has_properties(const MoldingCase& values) {
 }
 
 std::vector<TriangleProperties> triangle_properties(const MoldingFields& fields) {
-  const CompositeMaterial material = composite_of(fields.values());
-  const AlignedTable table(material, fields.values().composite.model);
-  const Shell& shell = fields.filling().mesh().shell();
-  std::vector<ThermoelasticProperties> by_node(shell.nodes.size(), matrix_properties(material));
-  parallel_for(static_cast<std::ptrdiff_t>(by_node.size()), [&](std::ptrdiff_t i) {
-    const auto node = static_cast<std::size_t>(i);
-    if (fields.is_wet(node)) by_node[node] = node_properties(fields, table, node);
-  });
-  std::vector<TriangleProperties> properties(shell.triangles.size());
-  parallel_for(static_cast<std::ptrdiff_t>(properties.size()), [&](std::ptrdiff_t t) {
-    const auto triangle = static_cast<std::size_t>(t);
-    ThermoelasticProperties mean;
-    Mat3 second = Mat3::Zero();
-    for (const Index index : shell.triangles[triangle]) {
-      const auto node = static_cast<std::size_t>(index);
-      mean.stiffness += by_node[node].stiffness / 3;
-      mean.thermal_stress += by_node[node].thermal_stress / 3;
-      if (fields.is_wet(node)) second += fields.filling().mean_orientation(node) / 3;
-    }
-    properties[triangle] = in_axes(mean, material_axes(shell, triangle, second));
-  });
-  return properties;
+  return properties_of(fields, {0, fields.filling().layers().count()});
+}
+
+std::vector<Ply> plies(const MoldingFields& fields) {
+  std::vector<Ply> all;
+  for (const LayerRange& range : ply_ranges(fields.filling().layers()))
+    all.push_back({share_of(fields.filling().layers(), range), properties_of(fields, range)});
+  return all;
 }
 
 PolyFrame properties_frame(const MoldingFields& fields, const std::vector<TriangleProperties>& properties) {

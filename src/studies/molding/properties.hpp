@@ -29,10 +29,23 @@ struct TriangleProperties {
 [[nodiscard]] PolyFrame properties_frame(const MoldingFields& fields,
                                          const std::vector<TriangleProperties>& properties);
 
-/// Writes the part for a structural solver: nodes, triangles (S3), and for each its thickness, material axes,
-/// engineering constants and expansion, in keywords that Abaqus and CalculiX share; SI units. Raises
-/// StorageError.
-void write_structural_input(const std::string& path, const Shell& shell,
-                            const std::vector<TriangleProperties>& properties);
+/// Holds the solid between two heights of the gap, and its mirror image on the other side of the mid-plane.
+struct Ply {
+  double share = 0;  ///< of half the thickness
+  std::vector<TriangleProperties> triangles;
+};
+
+/// Parts the gap into plies from the mid-plane to the wall, each with the mean properties of its layers: what
+/// bends a part lies in the skins, which the mean over the gap does not tell.
+[[nodiscard]] std::vector<Ply> plies(const MoldingFields& fields);
+
+/// Names solvers of structures. Abaqus has triangles of three nodes that bend (S3); CalculiX makes solid
+/// wedges of those, which bend half as far as they should, and takes six nodes (S6).
+enum class StructuralSolver { abaqus, calculix };
+
+/// Writes the part for a solver of structures: nodes, triangles, and for each the plies across its thickness
+/// with their material axes, engineering constants and expansion; SI units. Raises StorageError.
+void write_structural_input(const std::string& path, const Shell& shell, const std::vector<Ply>& plies,
+                            StructuralSolver solver);
 
 }  // namespace fiberfate

@@ -219,7 +219,8 @@ Outcome compute_molding(const MoldingCase& values, Session& session) {
   return session.continues() ? continue_filling(values, session) : begin_filling(values, session);
 }
 
-std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out) {
+std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
+                             StructuralSolver solver) {
   if (!has_properties(values))
     throw InputError("this result has no stiffness: the case follows no orientation or gives no lengths",
                      "choose a law in [orientation] and give fibers.length");
@@ -228,7 +229,7 @@ std::string export_structure(const MoldingCase& values, const ResultFolder& fold
   const Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
   const MoldingFields fields(values, setup, filling);
   const std::string path = out + "/part.inp";
-  write_structural_input(path, filling.mesh().shell(), triangle_properties(fields));
+  write_structural_input(path, filling.mesh().shell(), plies(fields), solver);
   return path;
 }
 

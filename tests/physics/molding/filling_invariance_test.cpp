@@ -46,7 +46,7 @@ TEST(FillingInvariance, AForeignStateIsRefused) {
   state.mark[0] = static_cast<NodeMark>(77);
   const std::string told = complaint(state);
   for (const char* part : {"state/filled: 285 values where 286 belong", "state/rate: value 7 is -1",
-                           "state/gates: gate gate cannot have moved 9 times",
+                           "state/gates: gate 1 cannot have moved 9 times",
                            "state/mark: there are no such marks", "from a checkpoint that is whole"})
     EXPECT_NE(told.find(part), std::string::npos) << part << "\nin\n" << told;
 }
