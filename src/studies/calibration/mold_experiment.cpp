@@ -48,7 +48,7 @@ std::vector<MeanLengths> MoldExperiment::lengths_at_places() const {
   const MoldingFields fields(values_, *setup_, *filling_);
   std::vector<MeanLengths> all;
   for (const NamedPlace& place : places()) {
-    all.push_back(fields.means(0, sample_nodes(fields, place)));
+    all.push_back(fields.means(0, fields.sample_at(place)));
     if (!std::isfinite(all.back().number_average))
       throw InputError(fmt::format("no melt comes to \"{}\": the filling ended ({}) at {:.4g} %", place.name,
                                    name(filling_->state().stop_reason), 100 * filling_->filled_fraction()),

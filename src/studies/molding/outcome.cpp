@@ -297,8 +297,7 @@ Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record)
   RunSummary& summary = outcome.summary;
   add_filling(fields, record, summary);
   std::vector<std::vector<Index>> samples;
-  for (const NamedPlace& place : fields.values().output.places)
-    samples.push_back(sample_nodes(fields, place));
+  for (const NamedPlace& place : fields.values().output.places) samples.push_back(fields.sample_at(place));
   if (fields.setup().params.fibers.orientation) summary.orientation = part_orientation(fields);
   if (fields.set_count() > 0) {
     std::vector<Index> all(fields.filling().mesh().node_count());

@@ -9,29 +9,16 @@
 #include "base/error.hpp"
 #include "continuum/length_registry.hpp"
 #include "molding/gate_nodes.hpp"
+#include "plate.hpp"
 
 namespace fiberfate {
 namespace {
 
+using test::plate;
+
 ShellMesh square() {
   return ShellMesh(
       {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, {0.002, 0.002}, {}, {}});
-}
-
-/// A square metre of 8 x 8 cells.
-ShellMesh plate() {
-  constexpr Index cells = 8;
-  Shell shell;
-  for (Index j = 0; j <= cells; ++j)
-    for (Index i = 0; i <= cells; ++i) shell.nodes.emplace_back(i / 8.0, j / 8.0, 0);
-  for (Index j = 0; j < cells; ++j)
-    for (Index i = 0; i < cells; ++i) {
-      const Index a = j * (cells + 1) + i, d = a + cells + 1;
-      shell.triangles.push_back({a, a + 1, d + 1});
-      shell.triangles.push_back({a, d + 1, d});
-    }
-  shell.thickness.assign(shell.triangles.size(), 0.002);
-  return ShellMesh(shell);
 }
 
 FillingParams sound() {
@@ -45,7 +32,7 @@ FillingParams sound() {
 
 std::string complaint(const FillingParams& params) {
   try {
-    check_params(params, plate());
+    check_params(params, plate(1, 8));
   } catch (const InputError& error) {
     return error.what();
   }

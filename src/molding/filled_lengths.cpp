@@ -1,5 +1,5 @@
 // Averages lengths over gap, samples and part.
-#include "studies/molding/fields.hpp"
+#include "molding/filled_lengths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ MeanLengths means_of(const LengthClasses& population) {
 
 }  // namespace
 
-LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::size_t layer) const {
+LengthClasses FilledLengths::population(std::size_t set, std::size_t node, std::size_t layer) const {
   LengthClasses population;
-  if (!is_wet(node) || setup_.reading == LengthReading::means) return population;
+  if (!is_wet(node) || reading_ == LengthReading::means) return population;
   const std::span<const double> fields = filling_.lengths(set, node, layer);
   const std::span<const double> bins = filling_.bin_lengths(set);
   if (!bins.empty()) {
@@ -31,7 +31,7 @@ LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::
     population.numbers.assign(fields.begin(), fields.end());
     return population;
   }
-  const MoldingFibers& fibers = setup_.params.fibers;
+  const MoldingFibers& fibers = filling_.params().fibers;
   const std::span<const double> amounts = filling_.amounts(node, layer);
   population.lengths.assign(fields.begin(), fields.end());
   for (std::size_t c = 0; c < fields.size(); ++c) {
@@ -44,7 +44,7 @@ LengthClasses MoldingFields::population(std::size_t set, std::size_t node, std::
   return population;
 }
 
-LengthClasses MoldingFields::population(std::size_t set, std::size_t node) const {
+LengthClasses FilledLengths::population(std::size_t set, std::size_t node) const {
   LengthClasses all;
   const std::span<const double> widths = filling_.layers().widths();
   for (std::size_t layer = 0; layer < widths.size(); ++layer)
@@ -52,24 +52,24 @@ LengthClasses MoldingFields::population(std::size_t set, std::size_t node) const
   return all;
 }
 
-MeanLengths MoldingFields::means(std::size_t set, std::size_t node, std::size_t layer) const {
+MeanLengths FilledLengths::means(std::size_t set, std::size_t node, std::size_t layer) const {
   if (!is_wet(node)) return {nan, nan};
-  if (setup_.reading == LengthReading::population) return means_of(population(set, node, layer));
+  if (reading_ == LengthReading::population) return means_of(population(set, node, layer));
   const std::span<const double> both = filling_.lengths(set, node, layer);
   return {both[0], both[1]};
 }
 
-MeanLengths MoldingFields::means(std::size_t set, std::size_t node) const {
+MeanLengths FilledLengths::means(std::size_t set, std::size_t node) const {
   const Index one[] = {static_cast<Index>(node)};
   return means(set, one);
 }
 
-MeanLengths MoldingFields::means(std::size_t set, std::span<const Index> nodes) const {
-  return setup_.reading == LengthReading::population ? sample_means(set, nodes) : gap_means(set, nodes);
+MeanLengths FilledLengths::means(std::size_t set, std::span<const Index> nodes) const {
+  return reading_ == LengthReading::population ? sample_means(set, nodes) : gap_means(set, nodes);
 }
 
 template <class Body>
-double MoldingFields::visit_wet(std::span<const Index> nodes, const Body& body) const {
+double FilledLengths::visit_wet(std::span<const Index> nodes, const Body& body) const {
   double volumes = 0;
   for (const Index index : nodes) {
     const auto node = static_cast<std::size_t>(index);
@@ -81,7 +81,7 @@ double MoldingFields::visit_wet(std::span<const Index> nodes, const Body& body) 
   return volumes;
 }
 
-MeanLengths MoldingFields::gap_means(std::size_t set, std::span<const Index> nodes) const {
+MeanLengths FilledLengths::gap_means(std::size_t set, std::span<const Index> nodes) const {
   const std::span<const double> widths = filling_.layers().widths();
   MeanLengths sum;
   const double volumes = visit_wet(nodes, [&](std::size_t node, double volume) {
@@ -95,8 +95,8 @@ MeanLengths MoldingFields::gap_means(std::size_t set, std::span<const Index> nod
   return {sum.number_average / volumes, sum.weight_average / volumes};
 }
 
-MeanLengths MoldingFields::sample_means(std::size_t set, std::span<const Index> nodes) const {
-  if (setup_.reading == LengthReading::population) {
+MeanLengths FilledLengths::sample_means(std::size_t set, std::span<const Index> nodes) const {
+  if (reading_ == LengthReading::population) {
     LengthClasses all;
     visit_wet(nodes, [&](std::size_t node, double volume) { append(all, population(set, node), volume); });
     return means_of(all);
@@ -114,25 +114,22 @@ MeanLengths MoldingFields::sample_means(std::size_t set, std::span<const Index> 
   return {volumes / numbers, weighted / volumes};
 }
 
-LengthClasses MoldingFields::inlet_population() const {
-  if (setup_.reading == LengthReading::means) return {};
-  return {setup_.params.fibers.class_lengths, setup_.params.fibers.class_numbers};
+LengthClasses FilledLengths::inlet_population() const {
+  if (reading_ == LengthReading::means) return {};
+  return {filling_.params().fibers.class_lengths, filling_.params().fibers.class_numbers};
 }
 
-MeanLengths MoldingFields::inlet_means() const {
-  const std::vector<double>& lengths = setup_.params.fibers.class_lengths;
-  if (setup_.reading == LengthReading::means) return {lengths[0], lengths[1]};
+MeanLengths FilledLengths::inlet_means() const {
+  const std::vector<double>& lengths = filling_.params().fibers.class_lengths;
+  if (reading_ == LengthReading::means) return {lengths[0], lengths[1]};
   return means_of(inlet_population());
 }
 
-std::vector<Index> sample_nodes(const MoldingFields& fields, const NamedPlace& place) {
-  const ShellMesh& mesh = fields.filling().mesh();
-  const Vec3 at = position_of(place, fields.setup().part);
+std::vector<Index> sample_nodes(const ShellMesh& mesh, const Vec3& place, double radius) {
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < mesh.node_count(); ++i)
-    if ((mesh.shell().nodes[i] - at).norm() <= fields.values().output.place_radius)
-      nodes.push_back(static_cast<Index>(i));
-  if (nodes.empty()) nodes.push_back(static_cast<Index>(mesh.nearest_node(at)));
+    if ((mesh.shell().nodes[i] - place).norm() <= radius) nodes.push_back(static_cast<Index>(i));
+  if (nodes.empty()) nodes.push_back(static_cast<Index>(mesh.nearest_node(place)));
   return nodes;
 }
 
