@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/patch_mesher.hpp"
 #include "io/surface_file.hpp"
 #include "keys/text_keys.hpp"
 #include "keys/text_rows.hpp"
 #include "studies/molding/element_thickness.hpp"
-#include "studies/molding/part_shapes.hpp"
 
 namespace fiberfate {
 namespace {
