@@ -53,7 +53,9 @@ TEST(GapHeat, MeltAtRestCoolsByConduction) {
     const double fourier_number = 1e-7 * filling.state().time / 1e-6;
     const double wanted = cooling(filling.layers().middles()[k], fourier_number);
     const double found = (filling.state().temperature[node * layers + k] - mold) / (inlet - mold);
-    EXPECT_NEAR(found, wanted, 0.015);
+    // The implicit step is of first order: 0.024, 0.014, 0.006, 0.003 off with 500, 1000, 2000, 4000 steps,
+    // whatever the layers.
+    EXPECT_NEAR(found, wanted, 0.007);
   }
 }
 
