@@ -181,8 +181,13 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
   const double aimed = mesh.total_volume() / params.numerics.steps;
   const double ahead = volume_at_front(mesh, field) + gates.lacking(RunnerKind::resisting, state);
   const double volume = std::max(ahead, shortest_share * aimed);
-  return std::min(cut_at_events(params, mesh, gates, state, volume, field.rate),
-                  gates.time_to_fill(state, field.sprue_pressure));
+  const double duration = std::min(cut_at_events(params, mesh, gates, state, volume, field.rate),
+                                   gates.time_to_fill(state, field.sprue_pressure));
+  // Full nodes must not give up more than their excess: they would lack melt and yet count as full.
+  const bool fed =
+      std::any_of(field.source.begin(), field.source.end(), [](double rate) { return rate != 0; });
+  return fed ? std::min(duration, aimed / params.process.flow.at(state.time, fraction_of(mesh, state)))
+             : duration;
 }
 
 FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,

@@ -117,6 +117,7 @@ TEST(Conservation, ValvesLoseNothing) {
   }
   EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   EXPECT_NEAR(filling.filled_fraction(), 1, 1e-10);
+  EXPECT_NEAR(delivered, whole, 1e-10 * whole);
   EXPECT_EQ(state.events.size(), 8u);
 }
 
