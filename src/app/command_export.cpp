@@ -20,7 +20,7 @@
 namespace fiberfate {
 namespace {
 
-const std::vector<std::string> formats = {"vtp", "csv", "abaqus"};
+const std::vector<std::string> formats = {"vtp", "csv", "abaqus", "calculix"};
 
 /// Lists every node of a frame, one row each; a table that cluster.file reads again.
 CsvTable node_table(const PolyFrame& frame) {
@@ -90,15 +90,18 @@ int run_export(const ExportOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.folder);
   const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
   const auto* molding = std::any_cast<MoldingCase>(&loaded.values);
-  if ((options.format == "abaqus") != (molding != nullptr) && options.format != "vtp")
+  const bool structure = options.format == "abaqus" || options.format == "calculix";
+  if (structure != (molding != nullptr) && options.format != "vtp")
     throw InputError(
         fmt::format("a result of the study {} has no export '{}'", loaded.kind->name, options.format),
-        molding != nullptr ? "take vtp or abaqus; the tables of this study are CSV already"
-                           : "take vtp or csv; abaqus is for filled parts");
+        molding != nullptr ? "take vtp, abaqus or calculix; the tables of this study are CSV already"
+                           : "take vtp or csv; abaqus and calculix are for filled parts");
   const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;
   std::filesystem::create_directories(out);
-  if (options.format == "abaqus") {
-    fmt::print("{}\n", export_structure(*molding, folder, out));
+  if (structure) {
+    const auto solver =
+        options.format == "abaqus" ? StructuralSolver::abaqus : StructuralSolver::calculix;
+    fmt::print("{}\n", export_structure(*molding, folder, out, solver));
     return 0;
   }
   const VtkhdfReader reader(folder.frames());

@@ -7,7 +7,7 @@ namespace fiberfate {
 
 struct ExportOptions {
   std::string folder;
-  std::string format;  ///< "vtp", "csv", "abaqus"; an unknown one raises InputError with a suggestion
+  std::string format;  ///< "vtp", "csv", "abaqus", "calculix"; an unknown one raises InputError with a suggestion
   std::string out;     ///< where to write; empty: folder/export_<format>
 };
 

@@ -184,7 +184,7 @@ void add_result_commands(CLI::App& app, Commands& commands) {
       ->type_name("DIR");
   export_result
       ->add_option("--format", commands.export_result.format,
-                   "vtp (ParaView 5.11 and older), csv, or abaqus (Abaqus and CalculiX)")
+                   "vtp (ParaView 5.11 and older), csv, abaqus or calculix")
       ->required()
       ->type_name("FORMAT");
   export_result->add_option("--out", commands.export_result.out, "Where to write")->type_name("DIR");

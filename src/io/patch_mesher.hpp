@@ -1,30 +1,10 @@
 // Meshes surfaces that are made of flat patches with straight edges.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
+#include "base/patched_surface.hpp"
 #include "io/surface_mesh.hpp"
 
 namespace fiberfate {
-
-/// Holds one flat patch: an area within one closed loop and outside of others.
-struct Patch {
-  std::string region;                           ///< patches may share one
-  std::vector<std::vector<std::size_t>> loops;  ///< corners in order; the first loop is the outer one
-  std::vector<std::array<std::size_t, 2>>
-      inner_edges;                        ///< corners of edges inside, along which triangles meet
-  std::vector<std::size_t> inner_points;  ///< corners inside that become points of the mesh
-};
-
-/// Holds patches that meet at edges: an edge between the same two corners is meshed once.
-struct PatchedSurface {
-  std::vector<Vec3> corners;  ///< m
-  std::vector<double> sizes;  ///< edge length of triangles wanted at each corner, m
-  std::vector<Patch> patches;
-};
 
 /// Meshes patches with triangles (frontal Delaunay, on one thread; the same input gives the same mesh). The
 /// normal of a triangle is that about which the outer loop runs counter-clockwise. Raises InputError when the

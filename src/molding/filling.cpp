@@ -1,4 +1,4 @@
-// Steps a filling: gates, flow, front, heat, lengths, orientation, events.
+// The step of a filling: gates, flow, front, heat, lengths, orientation, events.
 #include "molding/filling.hpp"
 
 #include <algorithm>
@@ -17,6 +17,7 @@
 #include "molding/heat.hpp"
 #include "molding/length_transport.hpp"
 #include "molding/orientation_transport.hpp"
+#include "molding/state_checks.hpp"
 #include "molding/step_control.hpp"
 #include "molding/step_record.hpp"
 #include "molding/sweep.hpp"
@@ -53,13 +54,17 @@ struct Filling::Parts {
 
   FlowField field;
   StepFlow step;
+  std::vector<GateLink> links;  ///< of the open gates
   std::vector<std::size_t> open_gates;
   std::vector<double> stretching;
   std::optional<StepRecord> record;
   std::array<double, filling_phase_count> seconds{};
 
   void start();
+  [[nodiscard]] StateShape shape() const;
   void link_gates();
+  void follow_gates();
+  [[nodiscard]] std::vector<double> stretching_now() const;
   void solve_flow();
   void measure_gates();
   void move_front();
@@ -93,42 +98,64 @@ void Filling::Parts::start() {
   state.lengths.assign(points * lengths.field_count(), 0);
 }
 
+StateShape Filling::Parts::shape() const {
+  StateShape shape{
+      mesh.node_count(),     layers.count(),        params.fibers.orientation ? state.orientation.size() : 0,
+      lengths.field_count(), params.sensors.size(), {}};
+  for (const Gate& gate : params.gates)
+    shape.most_moves.push_back(2 * static_cast<int>(gate.intervals.size()));
+  return shape;
+}
+
 void Filling::Parts::link_gates() {
-  std::vector<GateLink> links = gates.links(state, open_gates);
+  links = gates.links(state, open_gates);
   std::vector<Gate> open;
-  step.gate.assign(mesh.node_count(), -1);
-  for (const std::size_t g : open_gates) {
-    open.push_back(params.gates[g]);
-    for (const Index node : gates.nodes(g)) step.gate[node] = static_cast<int>(g);
-  }
-  solver.set_gates(std::move(links), open);
+  for (const std::size_t g : open_gates) open.push_back(params.gates[g]);
+  solver.set_gates(links, open);
+}
+
+/// Links the gates anew where one has opened or closed, or where the front has passed one.
+void Filling::Parts::follow_gates() {
+  std::vector<std::size_t> open;
+  if (gates.links(state, open) == links) return;
+  state.covered.clear();
+  link_gates();
+}
+
+/// Tells by how much fibers raise the viscosity at the present state; nothing where they do not.
+std::vector<double> Filling::Parts::stretching_now() const {
+  std::vector<double> values;
+  if (!params.fibers.coupling) return values;
+  const FiberCoupling& coupling = *params.fibers.coupling;
+  const std::ptrdiff_t place =
+      coupling.length_set < 0
+          ? -1
+          : static_cast<std::ptrdiff_t>(lengths.field_begin(static_cast<std::size_t>(coupling.length_set))) +
+                coupling.length_class;
+  stretch_viscosity(mesh, params, layers, state, field, place, values);
+  return values;
 }
 
 void Filling::Parts::solve_flow() {
-  if (params.fibers.coupling) {
-    const FiberCoupling& coupling = *params.fibers.coupling;
-    const std::ptrdiff_t place =
-        coupling.length_set < 0 ? -1
-                                : static_cast<std::ptrdiff_t>(
-                                      lengths.field_begin(static_cast<std::size_t>(coupling.length_set))) +
-                                      coupling.length_class;
-    stretch_viscosity(mesh, params, layers, state, field, place, stretching);
-  }
+  stretching = stretching_now();
   solver.solve(state, drive_of(params, mesh, state), stretching, field);
   note_control(params, field, fraction(), state);
 }
 
 void Filling::Parts::measure_gates() {
-  for (GateState& gate : state.gates) gate.rate = 0;
+  for (std::size_t g = 0; g < state.gates.size(); ++g) {
+    state.gates[g].rate = 0;
+    state.gates[g].pressure = state.pressure[gates.nodes(g).front()];
+  }
+  for (std::size_t place = 0; place < links.size(); ++place)
+    if (links[place].front == GateFront::inside) state.gates[open_gates[place]].pressure = 0;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
     if (step.gate_volume[i] == 0) continue;
     GateState& gate = state.gates[static_cast<std::size_t>(step.gate[i])];
     gate.rate += step.gate_volume[i] / step.duration;
     gate.volume += step.gate_volume[i];
-    state.injected_volume += step.gate_volume[i];
   }
-  for (std::size_t g = 0; g < state.gates.size(); ++g)
-    state.gates[g].pressure = state.pressure[gates.nodes(g).front()];
+  state.injected_volume += field.rate * step.duration;
 }
 
 void Filling::Parts::move_front() {
@@ -136,9 +163,11 @@ void Filling::Parts::move_front() {
   step.gate_volume.assign(mesh.node_count(), 0);
   step.at_front.resize(mesh.node_count());
   if (open_gates.empty()) return stand_still(params, mesh, gates, state, step, field);
-  if (prime_gates(params, mesh, gates, open_gates, state, step, field)) return;
+  gates.note_fed_nodes(state, step.gate);
+  if (prime_at_sprue(params, mesh, gates, state, step, field)) return;
   timed(FillingPhase::flow, [&] { solve_flow(); });
   step.duration = step_duration(params, mesh, gates, state, field);
+  gates.fill_through_runners(field.sprue_pressure, step.duration, state, step.gate_volume);
   for (std::size_t i = 0; i < mesh.node_count(); ++i) step.at_front[i] = field.wet[i] == 0 ? 1 : 0;
   timed(FillingPhase::front, [&] { advance_front(mesh, solver, field, step, state); });
 }
@@ -200,8 +229,10 @@ void Filling::Parts::conclude() {
   mark_front(mesh, step, state);
   state.filled_volume = 0;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) state.filled_volume += mesh.volume(i) * state.filled[i];
+  require_bearable_temperatures(mesh, params, state);
   state.stop_reason = reason_to_stop(params, mesh, state, field);
   if (state.stop_reason == FillingEnd::filled) mark_last(state);
+  follow_gates();
 }
 
 Filling::Filling(ShellMesh mesh, FillingParams params)
@@ -211,17 +242,7 @@ Filling::Filling(ShellMesh mesh, FillingParams params)
 
 Filling::Filling(ShellMesh mesh, FillingParams params, FillingState state)
     : Filling(std::move(mesh), std::move(params)) {
-  const FillingState& empty = parts_->state;
-  bool fits = state.gates.size() == empty.gates.size() &&
-              state.sensor_arrivals.size() == empty.sensor_arrivals.size() &&
-              state.filled.size() == empty.filled.size() &&
-              state.temperature.size() == empty.temperature.size() &&
-              state.lengths.size() == empty.lengths.size();
-  for (std::size_t m = 0; m < 6; ++m)
-    fits = fits && state.orientation[m].size() == empty.orientation[m].size();
-  if (!fits)
-    throw InputError("the state of this filling belongs to another mesh or other parameters",
-                     "continue with the mesh, gates, layers and fibers that it was made with");
+  check_state(state, parts_->shape());
   parts_->state = std::move(state);
   parts_->field.gradient = parts_->state.gradient;
   parts_->link_gates();
@@ -234,10 +255,8 @@ Filling& Filling::operator=(Filling&&) noexcept = default;
 void Filling::advance() {
   Parts& p = *parts_;
   if (finished()) return;
-  if (p.gates.update(p.state)) {
-    p.state.covered.clear();
-    p.link_gates();
-  }
+  p.gates.update(p.state);
+  p.follow_gates();
   if (p.open_gates.empty() && !std::isfinite(p.gates.next_time(p.state))) {
     p.state.stop_reason = FillingEnd::short_shot;
   } else {
@@ -246,6 +265,11 @@ void Filling::advance() {
     p.conclude();
   }
   if (finished()) p.state.events.push_back({p.state.time, p.fraction(), FillingEventKind::ended, -1});
+}
+
+const FillingState& Filling::run_to_end() {
+  while (!finished()) advance();
+  return state();
 }
 
 void Filling::keep_steps() {
@@ -339,9 +363,10 @@ std::vector<double> Filling::gap_average(std::span<const double> by_point) const
 
 std::vector<double> Filling::viscosity() const {
   const std::size_t count = layers().count();
+  const std::vector<double> stretching = parts_->stretching_now();
   std::vector<double> values(mesh().node_count() * count);
   for (std::size_t i = 0; i < mesh().node_count(); ++i)
-    parts_->solver.viscosities(state(), i, parts_->stretching, std::span(values).subspan(i * count, count));
+    parts_->solver.viscosities(state(), i, stretching, std::span(values).subspan(i * count, count));
   return values;
 }
 

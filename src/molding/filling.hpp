@@ -25,15 +25,17 @@ class Filling {
  public:
   /// Starts with an empty cavity; raises InputError as check_params.
   Filling(ShellMesh mesh, FillingParams params);
-  /// Continues from a state; raises InputError when it does not belong to mesh and parameters.
+  /// Continues from a state; raises InputError as check_state.
   Filling(ShellMesh mesh, FillingParams params, FillingState state);
   ~Filling();
   Filling(Filling&&) noexcept;
   Filling& operator=(Filling&&) noexcept;
 
-  /// Makes one step; does nothing once finished. Raises SimulationFailure when a pressure or temperature is
-  /// not finite.
+  /// Makes one step; does nothing once finished. Raises SimulationFailure when a pressure is not finite or a
+  /// temperature is one that no polymer bears.
   void advance();
+  /// Steps to the end; returns the state there.
+  const FillingState& run_to_end();
   [[nodiscard]] bool finished() const { return state().stop_reason != FillingEnd::none; }
 
   /// Keeps every step from now on, for follow_lengths_again; call it before the first one.

@@ -11,6 +11,7 @@
 #include "microstructure/admissibility.hpp"
 #include "molding/gap_layers.hpp"
 #include "molding/gate_checks.hpp"
+#include "molding/mesh_quality.hpp"
 
 namespace fiberfate {
 namespace {
@@ -164,6 +165,7 @@ void check_params(const FillingParams& params, const ShellMesh& mesh) {
   check_material(params, problems);
   check_process(params.process, problems);
   check_gates(params, mesh, problems);
+  check_quality(mesh, params.gates, problems);
   check_fibers(params, problems);
   check_coupling(params.fibers, problems);
   check_numerics(params.numerics, problems);

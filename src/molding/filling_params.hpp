@@ -39,9 +39,9 @@ struct FillingParams {
   FillingNumerics numerics;
 };
 
-/// Checks parameters against each other and the part; raises InputError that lists all faults: gates off the
-/// part or none that ever opens, a material out of range, a profile without flow, inlets that do not match
-/// the classes, laws that cannot be transported.
+/// Checks parameters against each other and the part; raises InputError that lists all faults: a mesh that
+/// is too coarse, gates off the part or none that ever opens, a material out of range, a profile without
+/// flow, inlets that do not match the classes, laws that cannot be transported.
 void check_params(const FillingParams& params, const ShellMesh& mesh);
 
 }  // namespace fiberfate

@@ -1,4 +1,4 @@
-// Holds the state of a filling: what a checkpoint stores, and all that the future depends on.
+// The state of a filling: what a checkpoint stores, and all that the future depends on.
 #pragma once
 
 #include <array>
@@ -75,8 +75,8 @@ struct FillingState {
   double sprue_pressure = 0;                                       ///< Pa
   double flow_rate = 0;                                            ///< m³/s
   double held_pressure = std::numeric_limits<double>::infinity();  ///< after switchover, Pa
-  double injected_volume = 0;                                      ///< m³
-  double filled_volume = 0;  ///< m³; equal to `injected_volume` but for round-off and `excess`
+  double injected_volume = 0;  ///< that the sprue has delivered, int of flow_rate dt, m³
+  double filled_volume = 0;    ///< m³; equal to `injected_volume` but for round-off and `excess`
   std::vector<GateState> gates;
   std::vector<double> sensor_arrivals;  ///< by sensor, s; NaN before
   std::vector<FillingEvent> events;

@@ -15,7 +15,7 @@ namespace {
 
 /// Fluidity of a frozen node over that of fresh melt at rest: keeps the equations solvable, moves nothing.
 constexpr double frozen_fluidity = 1e-9;
-/// Shear rate at which fresh melt is rated, 1/s; also the first guess at a gate.
+/// Shear rate at which fresh melt is rated, 1/s.
 constexpr double first_rate = 10;
 
 }  // namespace
@@ -26,7 +26,7 @@ FlowSolver::FlowSolver(const ShellMesh& mesh, const FillingParams& params, const
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
     for (std::size_t k = 0; k < 3; ++k)
       edge_weights_[mesh.edges_of(t)[k]] +=
-          std::pow(mesh.shell().thickness[t], 3) / 4 * mesh.half_cotangents(t)[k];
+          std::pow(mesh.thickness_of(t), 3) / 4 * mesh.half_cotangents(t)[k];
   for (double& weight : edge_weights_) weight = std::max(weight, 0.0);
   const double viscosity = params.material.viscosity->at({first_rate, params.process.inlet_temperature, 0});
   least_fluidity_ = frozen_fluidity / (3 * viscosity);
@@ -35,10 +35,10 @@ FlowSolver::FlowSolver(const ShellMesh& mesh, const FillingParams& params, const
 void FlowSolver::set_gates(std::vector<GateLink> open_gates, const std::vector<Gate>& gates) {
   gate_edges_.clear();
   for (std::size_t g = 0; g < gates.size(); ++g) {
+    if (open_gates[g].front == GateFront::inside) continue;
     const std::vector<GateEdge> leaving = edges_of_round_gate(gates[g], open_gates[g].nodes, *mesh_);
     gate_edges_.insert(gate_edges_.end(), leaving.begin(), leaving.end());
   }
-  open_gates_ = open_gates;
   system_.set_gates(std::move(open_gates));
 }
 
@@ -50,8 +50,6 @@ void FlowSolver::wet_nodes(const FillingState& state, FlowField& field) const {
     field.wet[i] = state.filled[i] >= 1 ? 1 : 0;
     field.front_factor[i] = 1 / (0.5 + state.filled[i]);
   }
-  for (const GateLink& gate : open_gates_)
-    for (const Index node : gate.nodes) field.wet[node] = 1;
 }
 
 void FlowSolver::viscosities(const FillingState& state, std::size_t node, std::span<const double> stretching,
@@ -88,13 +86,13 @@ void FlowSolver::update_conductances(const FillingState& state, const FlowField&
   for (std::size_t t = 0; t < mesh_->triangle_count(); ++t) {
     double sum = 0;
     int count = 0;
-    for (const Index node : mesh_->shell().triangles[t])
+    for (const Index node : mesh_->corners(t))
       if (field.wet[node] != 0) {
         sum += field.fluidity[node];
         ++count;
       }
     if (count == 0) continue;
-    const double h = mesh_->shell().thickness[t];
+    const double h = mesh_->thickness_of(t);
     const double conduction = h * h * h / 4 * sum / count;
     for (std::size_t k = 0; k < 3; ++k)
       conductances_[mesh_->edges_of(t)[k]] += conduction * mesh_->half_cotangents(t)[k];
@@ -115,6 +113,16 @@ void FlowSolver::update_conductances(const FillingState& state, const FlowField&
     const auto [a, b] = mesh_->edges()[e];
     if (field.wet[a] != field.wet[b]) to_front_[field.wet[a] != 0 ? a : b] += conductances_[e];
   }
+}
+
+void FlowSolver::bound_sources(FlowField& field) {
+  const double greatest = *std::max_element(parts_.of_sources.begin(), parts_.of_sources.end());
+  if (!(greatest > greatest_pressure)) return;
+  const double share = greatest_pressure / greatest;
+  for (double& pressure : parts_.of_sources) pressure *= share;
+  for (double& source : field.source) source *= share;
+  parts_.sprue_of_sources *= share;
+  field.released_share *= share;
 }
 
 void FlowSolver::apply_drive(const Drive& drive, FlowField& field) {
@@ -181,16 +189,18 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
   field.pressure.resize(n, 0);
   field.gradient.resize(n, Vec2::Zero());
   wet_nodes(state, field);
-  sources_.assign(n, 0);
+  field.source.assign(n, 0);
+  field.released_share = 1;
   for (std::size_t i = 0; i < n; ++i)
-    if (field.wet[i] != 0 && drive.duration > 0) sources_[i] = state.excess[i] / drive.duration;
+    if (field.wet[i] != 0 && drive.duration > 0) field.source[i] = state.excess[i] / drive.duration;
   change_.assign(n, 0);
   parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
     if (field.wet[i] != 0) update_node(state, stretching, static_cast<std::size_t>(i), field);
   });
   for (int iteration = 0; iteration < params_->numerics.most_iterations; ++iteration) {
     update_conductances(state, field);
-    system_.solve({field.wet, conductances_, to_front_, sources_}, state.covered, parts_);
+    system_.solve({field.wet, conductances_, to_front_, field.source}, state.covered, parts_);
+    bound_sources(field);
     apply_drive(drive, field);
     update_fluxes(field);
     if (!std::isfinite(field.sprue_pressure))

@@ -24,7 +24,8 @@ struct Drive {
 /// from node to node F = w (p_i - p_j), w = sum over triangles of S cot/2, which conserves volume. Obtuse
 /// pairs of triangles, whose w would be negative, do not conduct. The edge to a node of the front that is
 /// filled to the share f is 1/2 + f of its length long, where p = 0. Viscosity and pressure are iterated:
-/// rate = h zeta |grad p|/eta, at fixed flow (Picard on rates).
+/// rate = h zeta |grad p|/eta, at fixed flow (Picard on rates). No pressure exceeds `greatest_pressure`: flow
+/// that would need more is slower.
 class FlowSolver {
  public:
   FlowSolver(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers);
@@ -45,6 +46,8 @@ class FlowSolver {
   void update_node(const FillingState& state, std::span<const double> stretching, std::size_t node,
                    FlowField& field);
   void update_conductances(const FillingState& state, const FlowField& field);
+  /// Lets full nodes give up no more of their excess than `greatest_pressure` can drive.
+  void bound_sources(FlowField& field);
   void apply_drive(const Drive& drive, FlowField& field);
   void update_fluxes(FlowField& field) const;
   [[nodiscard]] Vec2 gradient_at(const FillingState& state, const FlowField& field, std::size_t node) const;
@@ -56,10 +59,9 @@ class FlowSolver {
   const GapLayers* layers_;
   PressureSystem system_;
   PressureParts parts_;
-  std::vector<GateLink> open_gates_;
   std::vector<GateEdge> gate_edges_;  ///< that leave open round gates
   std::vector<double> edge_weights_;  ///< by edge: sum of H³ cot/8 of its triangles, m³
-  std::vector<double> conductances_, to_front_, sources_;
+  std::vector<double> conductances_, to_front_;
   std::vector<double> change_;  ///< by node: relative change of the fluidity
   double least_fluidity_ = 0;   ///< that keeps a frozen node in the network, 1/(Pa s)
 };

@@ -11,6 +11,8 @@ namespace {
 constexpr double weld_cosine = -0.5;
 /// Filled share from which on a node counts as full for marks: the last ones lack round-off.
 constexpr double as_good_as_full = 1 - 1e-9;
+/// Filled share from which on a node is full that a gate fills to the brim.
+constexpr double as_good_as_primed = 1 - 1e-14;
 
 void record_fill_times(const FillingState& state, const std::vector<double>& before, const StepFlow& step,
                        std::vector<double>& fill_time) {
@@ -64,8 +66,9 @@ void pass_overflow(const ShellMesh& mesh, const FlowSolver& solver, StepFlow& st
   }
   for (std::size_t i = 0; i < content.size(); ++i) {
     state.filled[i] = std::min(1.0, content[i] / mesh.volume(i));
-    // Round-off must not keep a full node at the front.
-    if (content[i] >= mesh.volume(i) || step.at_front[i] == 0) state.filled[i] = 1;
+    // Round-off must not keep a full node at the front, nor one that its gate has just filled.
+    const double full = step.gate_volume[i] > 0 ? as_good_as_primed : 1;
+    if (content[i] >= full * mesh.volume(i) || step.at_front[i] == 0) state.filled[i] = 1;
     state.excess[i] = state.filled[i] == 1 ? content[i] - mesh.volume(i) : 0;
   }
 }
@@ -96,8 +99,9 @@ void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowFi
     content[mesh.edges()[e].second] += step.edge_volume[e];
   }
   for (std::size_t i = 0; i < n; ++i) {
-    // A gate gives its nodes what they pass on.
-    step.gate_volume[i] = step.gate[i] >= 0 ? mesh.volume(i) - content[i] : 0;
+    // A full gate gives its nodes what they pass on, but for what comes of their own excess.
+    if (step.gate[i] >= 0 && step.at_front[i] == 0)
+      step.gate_volume[i] = step.content[i] - content[i] - field.source[i] * step.duration;
     content[i] += step.gate_volume[i];
   }
   const std::vector<double> before = state.filled;

@@ -12,7 +12,8 @@ namespace fiberfate {
 /// Tells the size of the control volumes next to wet ones, m³: a step that fills more is coarse.
 [[nodiscard]] double volume_at_front(const ShellMesh& mesh, const FlowField& field);
 
-/// Lets the fluxes of `field` act for step.duration. What overflows goes on to empty neighbours in the same
+/// Lets the fluxes of `field` act for step.duration; step.gate_volume says what gates that are not full bring
+/// into their own nodes. What overflows goes on to empty neighbours in the same
 /// step, in proportion to how their edges conduct; where there are none it is kept as `excess` and becomes a
 /// source of the next solution. Writes the volumes of `step` (edges, gates, contents) and updates `filled`,
 /// `excess`, `fill_time`, `inflow`. Nothing is lost: contents change by what the edges and gates carry.

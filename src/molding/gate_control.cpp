@@ -51,17 +51,21 @@ bool GateControl::fires(const Trigger& trigger, std::size_t gate, const FillingS
   return false;
 }
 
-void GateControl::note_arrivals(FillingState& state) const {
-  const auto full = [&](Index node) { return state.filled[node] >= 1; };
-  for (std::size_t g = 0; g < nodes_.size(); ++g)
-    if (std::isnan(state.gates[g].arrival_time) && std::all_of(nodes_[g].begin(), nodes_[g].end(), full))
-      state.gates[g].arrival_time = state.time;
-  for (std::size_t s = 0; s < sensors_.size(); ++s)
-    if (std::isnan(state.sensor_arrivals[s]) && full(sensors_[s])) state.sensor_arrivals[s] = state.time;
+bool GateControl::is_full(std::size_t gate, const FillingState& state) const {
+  return std::all_of(nodes_[gate].begin(), nodes_[gate].end(),
+                     [&](Index node) { return state.filled[node] >= 1; });
 }
 
-bool GateControl::update(FillingState& state) const {
-  bool changed = false;
+void GateControl::note_arrivals(FillingState& state) const {
+  for (std::size_t g = 0; g < nodes_.size(); ++g)
+    if (std::isnan(state.gates[g].arrival_time) && is_full(g, state))
+      state.gates[g].arrival_time = state.time;
+  for (std::size_t s = 0; s < sensors_.size(); ++s)
+    if (std::isnan(state.sensor_arrivals[s]) && state.filled[sensors_[s]] >= 1)
+      state.sensor_arrivals[s] = state.time;
+}
+
+void GateControl::update(FillingState& state) const {
   const double fraction = state.injected_volume / mesh_->total_volume();
   note_arrivals(state);
   for (std::size_t g = 0; g < nodes_.size(); ++g) {
@@ -72,11 +76,9 @@ bool GateControl::update(FillingState& state) const {
       state.events.push_back({state.time, fraction,
                               gate.is_open() ? FillingEventKind::gate_opened : FillingEventKind::gate_closed,
                               static_cast<int>(g)});
-      changed = true;
     }
     if (!gate.is_open()) gate.rate = 0;
   }
-  return changed;
 }
 
 std::vector<GateLink> GateControl::links(const FillingState& state, std::vector<std::size_t>& open) const {
@@ -85,9 +87,68 @@ std::vector<GateLink> GateControl::links(const FillingState& state, std::vector<
   for (std::size_t g = 0; g < nodes_.size(); ++g) {
     if (!state.gates[g].is_open()) continue;
     open.push_back(g);
-    links.push_back({nodes_[g], params_->gates[g].resistance});
+    links.push_back(
+        {nodes_[g], params_->gates[g].resistance, is_full(g, state) ? GateFront::passed : GateFront::inside});
   }
   return links;
+}
+
+bool GateControl::fills(std::size_t gate, RunnerKind runner, const FillingState& state) const {
+  const bool resisting = params_->gates[gate].resistance > 0;
+  return state.gates[gate].is_open() && resisting == (runner == RunnerKind::resisting) &&
+         !is_full(gate, state);
+}
+
+double GateControl::lacking(std::size_t gate, const FillingState& state) const {
+  double volume = 0;
+  for (const Index node : nodes_[gate]) volume += mesh_->volume(node) * (1 - state.filled[node]);
+  return volume;
+}
+
+double GateControl::lacking(RunnerKind runners, const FillingState& state) const {
+  double volume = 0;
+  for (std::size_t g = 0; g < nodes_.size(); ++g)
+    if (fills(g, runners, state)) volume += lacking(g, state);
+  return volume;
+}
+
+double GateControl::time_to_fill(const FillingState& state, double sprue_pressure) const {
+  double time = std::numeric_limits<double>::infinity();
+  for (std::size_t g = 0; g < nodes_.size() && sprue_pressure > 0; ++g)
+    if (fills(g, RunnerKind::resisting, state))
+      time = std::min(time, lacking(g, state) * params_->gates[g].resistance / sprue_pressure);
+  return time;
+}
+
+void GateControl::note_fed_nodes(const FillingState& state, std::vector<int>& gate_of) const {
+  gate_of.assign(mesh_->node_count(), -1);
+  for (std::size_t g = 0; g < nodes_.size(); ++g) {
+    if (!state.gates[g].is_open()) continue;
+    const bool full = is_full(g, state);
+    for (const Index node : nodes_[g])
+      if (full || state.filled[node] < 1) gate_of[node] = static_cast<int>(g);
+  }
+}
+
+void GateControl::fill(std::size_t gate, double share, const FillingState& state,
+                       std::vector<double>& gate_volume) const {
+  for (const Index node : nodes_[gate])
+    if (state.filled[node] < 1) gate_volume[node] = share * mesh_->volume(node) * (1 - state.filled[node]);
+}
+
+void GateControl::fill_at_sprue(double share, const FillingState& state,
+                                std::vector<double>& gate_volume) const {
+  for (std::size_t g = 0; g < nodes_.size(); ++g)
+    if (fills(g, RunnerKind::none, state)) fill(g, share, state, gate_volume);
+}
+
+void GateControl::fill_through_runners(double sprue_pressure, double duration, const FillingState& state,
+                                       std::vector<double>& gate_volume) const {
+  for (std::size_t g = 0; g < nodes_.size(); ++g) {
+    if (!fills(g, RunnerKind::resisting, state)) continue;
+    const double share = sprue_pressure / params_->gates[g].resistance * duration / lacking(g, state);
+    fill(g, share < 1 - round_off ? share : 1, state, gate_volume);
+  }
 }
 
 double GateControl::next_fraction(const FillingState& state) const {

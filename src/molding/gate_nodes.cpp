@@ -1,9 +1,10 @@
-// Measures distances between gates and the part.
+// Distances between gates and the part, and how melt leaves a round gate.
 #include "molding/gate_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace fiberfate {
 namespace {
@@ -41,6 +42,58 @@ double distance_to_part(const Vec3& x, const ShellMesh& mesh) {
   return nearest;
 }
 
+/// Weight cot/2 + cot/2 of an edge that is none but for round-off: the diagonal of a rectangle.
+constexpr double least_weight = 1e-9;
+/// Logarithm of the distance of a node outside over the radius that counts at least: nodes on the rim of a
+/// gate are at its pressure.
+constexpr double least_logarithm = 1e-3;
+
+/// Gathers what the triangles on both sides of an edge that leaves a gate tell of it.
+struct LeavingEdge {
+  Index edge = 0, outside = 0;
+  double start = 0, end = 0;  ///< distances of its nodes from the centre, m
+  double angle = 0;           ///< under which its dual face is seen from the centre
+  double weight = 0;          ///< cot/2 + cot/2
+};
+
+/// Tells the angle under which the half of an edge's dual face that lies in a triangle, from the middle of
+/// the edge a-b to the circumcentre, is seen from a centre; positive where it turns as a, b, c do.
+double dual_angle(const std::array<Vec3, 3>& corner, const Vec3& centre) {
+  const auto& [a, b, c] = corner;
+  const Vec3 u = b - a, v = c - a, normal = u.cross(v);
+  const Vec3 circumcentre = a + (u.squaredNorm() * v.cross(normal) + v.squaredNorm() * normal.cross(u)) /
+                                    (2 * normal.squaredNorm());
+  // Where the surface bends, the centre counts as if it lay in the plane of the triangle.
+  const Vec3 up = normal.normalized(), foot = centre - up.dot(centre - a) * up;
+  const Vec3 from = a + 0.5 * u - foot, to = circumcentre - foot;
+  return std::atan2(up.dot(from.cross(to)), from.dot(to));
+}
+
+/// Finds the edges from nodes of a gate to others, in rising order.
+std::vector<LeavingEdge> leaving_edges(std::span<const Index> nodes, const Vec3& centre,
+                                       const ShellMesh& mesh) {
+  const auto inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
+  const auto at = [&](Index node) { return mesh.shell().nodes[static_cast<std::size_t>(node)]; };
+  std::map<Index, LeavingEdge> by_edge;
+  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Seen along a-b the triangle lies on the left; the edge leaves the gate at b, or at a.
+      const Index c = mesh.corners(t)[k], a = mesh.corners(t)[(k + 1) % 3], b = mesh.corners(t)[(k + 2) % 3];
+      if (inside(a) == inside(b)) continue;
+      const Index start = inside(a) ? a : b, outside = inside(a) ? b : a;
+      LeavingEdge& edge = by_edge[mesh.edges_of(t)[k]];
+      edge.edge = mesh.edges_of(t)[k];
+      edge.outside = outside;
+      edge.start = (at(start) - centre).norm();
+      edge.end = (at(outside) - centre).norm();
+      edge.angle += (inside(a) ? 1 : -1) * dual_angle({at(a), at(b), at(c)}, centre);
+      edge.weight += mesh.half_cotangents(t)[k];
+    }
+  std::vector<LeavingEdge> leaving;
+  for (const auto& [number, edge] : by_edge) leaving.push_back(edge);
+  return leaving;
+}
+
 }  // namespace
 
 double distance_from_part(const Gate& gate, const ShellMesh& mesh) {
@@ -74,35 +127,25 @@ double GateEdge::front_factor(double filled) const {
 std::vector<GateEdge> edges_of_round_gate(const Gate& gate, std::span<const Index> nodes,
                                           const ShellMesh& mesh) {
   if (gate.end) return {};
-  const auto inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
-  const auto& x = mesh.shell().nodes;
-  const Vec3 centre = nodes.size() == 1 ? x[nodes.front()] : gate.position;
-  double angle = 0, weight = 0;
-  std::vector<GateEdge> leaving;
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t) {
-    const auto& corner = mesh.shell().triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
-      if (inside(corner[k]) && !inside(a) && !inside(b)) {
-        const Vec3 u = x[a] - centre, v = x[b] - centre;
-        angle += std::atan2(u.cross(v).norm(), u.dot(v));
-      }
-      if (inside(a) == inside(b)) continue;
-      const Index outside = inside(a) ? b : a, start = inside(a) ? a : b;
-      const double distance = (x[outside] - centre).norm();
-      if (!(distance > gate.radius)) return {};
-      weight += mesh.half_cotangents(t)[k] * std::log(distance / gate.radius);
-      leaving.push_back({mesh.edges_of(t)[k], outside, 1, (x[start] - centre).norm(), distance, gate.radius});
-    }
+  const Vec3 centre =
+      nodes.size() == 1 ? mesh.shell().nodes[static_cast<std::size_t>(nodes.front())] : gate.position;
+  std::vector<LeavingEdge> leaving = leaving_edges(nodes, centre, mesh);
+  double whole = 0, forward = 0;
+  for (const LeavingEdge& one : leaving) {
+    whole += one.angle;
+    forward += std::max(one.angle, 0.0);
   }
-  if (!(weight > 0)) return {};
-  std::sort(leaving.begin(), leaving.end(),
-            [](const GateEdge& a, const GateEdge& b) { return a.edge < b.edge; });
-  leaving.erase(std::unique(leaving.begin(), leaving.end(),
-                            [](const GateEdge& a, const GateEdge& b) { return a.edge == b.edge; }),
-                leaving.end());
-  for (GateEdge& edge : leaving) edge.scale = angle / weight;
-  return leaving;
+  if (!(whole > 0)) return {};
+  std::vector<GateEdge> edges;
+  for (const LeavingEdge& one : leaving) {
+    if (!(one.weight > least_weight)) continue;
+    GateEdge edge{one.edge, one.outside, 1, one.start, one.end, gate.radius};
+    edge.end = std::max(edge.end, gate.radius * std::exp(least_logarithm));
+    edge.scale =
+        std::max(one.angle, 0.0) * (whole / forward) / (one.weight * std::log(edge.end / gate.radius));
+    edges.push_back(edge);
+  }
+  return edges;
 }
 
 }  // namespace fiberfate

@@ -30,10 +30,10 @@ struct GateEdge {
   [[nodiscard]] double front_factor(double filled) const;
 };
 
-/// Finds the edges that leave a round gate, with scale = theta / sum of cot/2 ln(r_j/r), so that the pressure
-/// of the gate's nodes is that at its radius r in the radial field around it: theta is the angle of the part
-/// around the gate, r_j the distances of the nodes around. None for film gates, nor where nodes outside are
-/// nearer than the radius.
+/// Finds the edges that leave a round gate, with scale = theta_e/(w_e ln(r_b/r)): in the radial field around
+/// the gate, in which the pressure of its nodes is that at its radius r, each edge carries what passes its
+/// dual face. theta_e is the angle under which that face is seen from the centre of the gate, w_e = cot/2 +
+/// cot/2, r_b the distance of the node outside. None for film gates.
 [[nodiscard]] std::vector<GateEdge> edges_of_round_gate(const Gate& gate, std::span<const Index> nodes,
                                                         const ShellMesh& mesh);
 

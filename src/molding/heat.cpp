@@ -1,14 +1,21 @@
 // Assembles and solves the heat balance of the layers of every node.
 #include "molding/heat.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "molding/gap_flow.hpp"
 
 namespace fiberfate {
 namespace {
+
+/// Rise of the temperature by flow beyond which a state is none of any melt, K. A pressure of 1 GPa heats by
+/// 500 K.
+constexpr double bearable_rise = 1000;
 
 /// Holds the equations of one node's layers; m(row, column) couples layers that exchange melt or heat.
 struct LayerSystem {
@@ -122,6 +129,23 @@ void HeatTransport::end(FillingState& state) const {
     state.heat.dissipated += dissipated_[i];
     state.heat.to_mold += to_mold_[i];
     state.heat.brought_in += brought_in_[i];
+  }
+}
+
+void require_bearable_temperatures(const ShellMesh& mesh, const FillingParams& params,
+                                   const FillingState& state) {
+  const double bearable =
+      std::max(params.process.inlet_temperature, params.process.mold_temperature) + bearable_rise;
+  const std::size_t layers = state.temperature.size() / mesh.node_count();
+  for (std::size_t point = 0; point < state.temperature.size(); ++point) {
+    if (state.temperature[point] <= bearable) continue;  // false for NaN
+    const Vec3& x = mesh.shell().nodes[point / layers];
+    throw SimulationFailure(
+        fmt::format(
+            "the melt is at {:.4g} K at ({:.4g}, {:.4g}, {:.4g}) m, which no polymer bears: check the "
+            "viscosity and the flow rate, or give the pressure that the machine has at most",
+            state.temperature[point], x[0], x[1], x[2]),
+        {state.steps, state.time, -1, 0});
   }
 }
 

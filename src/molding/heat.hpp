@@ -1,4 +1,4 @@
-// Carries heat with the melt, conducts it across the gap, adds what viscous flow makes.
+// Heat that rides on the melt, is conducted across the gap, and is made by viscous flow.
 #pragma once
 
 #include <span>
@@ -41,6 +41,11 @@ class HeatTransport {
   std::vector<double> to_mold_;     ///< by node, J in this step
   std::vector<double> brought_in_;  ///< by node, J in this step
 };
+
+/// Raises SimulationFailure where the melt is more than 1000 K hotter than it came in, or its temperature not
+/// a number: no polymer bears that, and no viscosity law holds there.
+void require_bearable_temperatures(const ShellMesh& mesh, const FillingParams& params,
+                                   const FillingState& state);
 
 /// Tells the heat that the melt holds above the mold's temperature, J.
 [[nodiscard]] double stored_heat(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,

@@ -33,15 +33,20 @@ struct FlowProfile {
 /// Turns ram speeds (m/s, in the column `rate`) into flow rates: speed times the area of the barrel.
 [[nodiscard]] FlowProfile flow_of_ram(FlowProfile speeds, double barrel_diameter);
 
+/// Pressure that no flow is driven beyond, Pa: machines end at 0.2 to 0.5 GPa, and viscosity laws are fitted
+/// below that.
+inline constexpr double greatest_pressure = 1e9;
+
 /// Holds the machine's settings.
 struct MoldingProcess {
   FlowProfile flow = {};
   double switchover_fraction = 1;  ///< filled fraction from which on pressure is controlled instead of flow
   /// Pressure at the sprue after switchover, Pa; infinity keeps what it was at switchover.
   double switchover_pressure = std::numeric_limits<double>::infinity();
-  double pressure_limit = std::numeric_limits<double>::infinity();  ///< of the machine, at the sprue, Pa
-  double inlet_temperature = 500;                                   ///< K
-  double mold_temperature = 320;                                    ///< K
+  /// Of the machine, at the sprue, Pa; `greatest_pressure` holds beside it.
+  double pressure_limit = std::numeric_limits<double>::infinity();
+  double inlet_temperature = 500;  ///< K
+  double mold_temperature = 320;   ///< K
   /// Heat transfer from melt to mold, W/(m² K); infinity: the melt at the wall has the mold's temperature.
   double wall_transfer = std::numeric_limits<double>::infinity();
   double longest_time = std::numeric_limits<double>::infinity();  ///< s; filling stops then at the latest

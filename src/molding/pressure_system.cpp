@@ -47,6 +47,7 @@ void PressureSystem::number_unknowns() {
   sprue_ = 0;
   Index count = 1;
   for (std::size_t g = 0; g < gates_.size(); ++g) {
+    if (gates_[g].front == GateFront::inside) continue;
     gate_unknowns_[g] = gates_[g].resistance > 0 ? count++ : sprue_;
     for (const Index node : gates_[g].nodes) unknown_of_[node] = gate_unknowns_[g];
   }
@@ -65,7 +66,7 @@ std::vector<PressureSystem::Link> PressureSystem::find_links() {
     links.push_back({a, b, static_cast<Index>(e), -1});
   }
   for (std::size_t g = 0; g < gates_.size(); ++g)
-    if (gates_[g].resistance > 0) links.push_back({gate_unknowns_[g], sprue_, -1, static_cast<Index>(g)});
+    if (gate_unknowns_[g] != sprue_) links.push_back({gate_unknowns_[g], sprue_, -1, static_cast<Index>(g)});
   return links;
 }
 
@@ -132,11 +133,12 @@ void PressureSystem::assemble(const Network& network) {
   for (std::size_t i = 0; i < network.wet.size(); ++i)
     if (network.wet[i] != 0) value[diagonal_slots_[unknown_of_[i]]] += network.to_front[i];
   for (std::size_t g = 0; g < gates_.size(); ++g) {
-    if (gate_slots_[g] < 0) continue;
+    if (!(gates_[g].resistance > 0)) continue;
     const double c = 1 / gates_[g].resistance;
+    value[diagonal_slots_[sprue_]] += c;
+    if (gate_slots_[g] < 0) continue;
     value[gate_slots_[g]] -= c;
     value[diagonal_slots_[gate_unknowns_[g]]] += c;
-    value[diagonal_slots_[sprue_]] += c;
   }
   // Nodes that are not wet yet stand alone with p = 0.
   for (const Index slot : diagonal_slots_)

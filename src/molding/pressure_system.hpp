@@ -10,10 +10,21 @@
 
 namespace fiberfate {
 
-/// Holds a gate's place in the network.
+/// Says where the front stands that starts at a gate.
+enum class GateFront {
+  inside,  ///< control volumes of the gate are not full: p = 0 at the end of its runner
+  passed   ///< all of them are: the gate feeds what lies around it
+};
+
+/// Holds an open gate's place in the network.
 struct GateLink {
-  std::span<const Index> nodes;  ///< at one pressure
+  std::span<const Index> nodes;  ///< at one pressure, once the front has passed
   double resistance = 0;         ///< to the sprue, Pa s/m³; 0 puts the nodes at the sprue's pressure
+  GateFront front = GateFront::passed;
+
+  [[nodiscard]] bool operator==(const GateLink& other) const {
+    return nodes.data() == other.nodes.data() && front == other.front;
+  }
 };
 
 /// Holds the coefficients of one solution.
@@ -33,7 +44,8 @@ struct PressureParts {
 };
 
 /// Assembles and factorises A p = f: A symmetric positive definite, one unknown a wet node, gate or sprue
-/// (nodes of a gate share one; gates without resistance share the sprue's). The order of elimination and the
+/// (nodes of a gate share one; gates without resistance share the sprue's; a runner whose gate is not full
+/// leads from the sprue to p = 0). The order of elimination and the
 /// pattern are analysed for the wet nodes and some ahead of the front, and again when the front leaves them
 /// or a gate opens or closes.
 class PressureSystem {
@@ -66,7 +78,7 @@ class PressureSystem {
   std::vector<GateLink> gates_;
   std::vector<char> covered_;         ///< what the present pattern covers; empty when it must be analysed
   std::vector<Index> unknown_of_;     ///< by node; -1 where not covered
-  std::vector<Index> gate_unknowns_;  ///< by gate
+  std::vector<Index> gate_unknowns_;  ///< by gate; the sprue's for those that have none of their own
   Index sprue_ = 0;
   std::vector<Index> edge_slots_;      ///< by edge: place in the values of the matrix; -1 for none
   std::vector<Index> diagonal_slots_;  ///< by unknown

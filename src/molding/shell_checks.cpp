@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "molding/shell_mesh.hpp"
+#include "molding/shell.hpp"
 
 namespace fiberfate {
 namespace {

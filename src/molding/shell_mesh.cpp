@@ -37,6 +37,7 @@ std::array<double, 3> corner_areas(const std::array<double, 3>& cotangent,
 
 ShellMesh::ShellMesh(Shell shell) : shell_(std::move(shell)) {
   check_shell(shell_);
+  flow_ = flow_triangles(shell_);
   measure_triangles();
   link_edges();
   orient_nodes();
@@ -50,7 +51,7 @@ void ShellMesh::measure_triangles() {
   angles_.assign(n, 0);
   half_cotangents_.resize(triangle_count());
   for (std::size_t t = 0; t < triangle_count(); ++t) {
-    const auto& corner = shell_.triangles[t];
+    const auto& corner = flow_.corners[t];
     std::array<double, 3> cotangent, squared_edge;
     double area = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -66,7 +67,7 @@ void ShellMesh::measure_triangles() {
     const std::array<double, 3> share = corner_areas(cotangent, squared_edge, area);
     for (std::size_t k = 0; k < 3; ++k) {
       areas_[at(corner[k])] += share[k];
-      volumes_[at(corner[k])] += share[k] * shell_.thickness[t];
+      volumes_[at(corner[k])] += share[k] * flow_.thickness[t];
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -83,7 +84,7 @@ void ShellMesh::link_edges() {
   sides.reserve(3 * triangle_count());
   for (std::size_t t = 0; t < triangle_count(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = shell_.triangles[t][(k + 1) % 3], b = shell_.triangles[t][(k + 2) % 3];
+      const Index a = flow_.corners[t][(k + 1) % 3], b = flow_.corners[t][(k + 2) % 3];
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<Index>(t), static_cast<Index>(k)});
     }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
@@ -103,7 +104,7 @@ void ShellMesh::link_edges() {
 
 void ShellMesh::orient_nodes() {
   std::vector<Vec3> normals(node_count(), Vec3::Zero());
-  for (const auto& corner : shell_.triangles) {
+  for (const auto& corner : flow_.corners) {
     const Vec3& x = shell_.nodes[at(corner[0])];
     const Vec3 normal = (shell_.nodes[at(corner[1])] - x).cross(shell_.nodes[at(corner[2])] - x);
     for (const Index node : corner) {
@@ -133,7 +134,7 @@ void ShellMesh::link_neighbours() {
   std::vector<std::size_t> next(neighbour_begin_.begin(), neighbour_begin_.end() - 1);
   std::vector<Vec3> normals(edges_.size(), Vec3::Zero());
   for (std::size_t t = 0; t < triangle_count(); ++t) {
-    const auto& corner = shell_.triangles[t];
+    const auto& corner = flow_.corners[t];
     const Vec3& x = shell_.nodes[at(corner[0])];
     const Vec3 normal = (shell_.nodes[at(corner[1])] - x).cross(shell_.nodes[at(corner[2])] - x).normalized();
     for (const Index edge : triangle_edges_[t])

@@ -1,33 +1,14 @@
-// Holds a part as a shell of triangles in space: thickness, control volumes, edges, frames of nodes.
+// A part as a shell of triangles in space: control volumes, edges, frames of nodes.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "molding/delaunay.hpp"
+#include "molding/shell.hpp"
 
 namespace fiberfate {
-
-using Vec2 = Eigen::Vector2d;
-
-/// Chooses whether more than two triangles may share an edge, as where a rib stands on a plate.
-enum class Junctions { refused, allowed };
-
-/// Holds triangles of the middle surface, as a reader or mesher makes them.
-struct Shell {
-  std::vector<Vec3> nodes;                      ///< m
-  std::vector<std::array<Index, 3>> triangles;  ///< nodes of each, the same way round seen from one side
-  std::vector<double> thickness;                ///< full wall thickness of each triangle, m
-  std::vector<int> region = {};  ///< of each triangle, as the mesher numbers them; may be empty
-  Junctions junctions = Junctions::refused;
-};
-
-/// Checks a shell. Raises InputError that lists the faults with the triangle or node, its place and the
-/// remedy: missing or unused nodes, degenerate triangles, thickness that is not positive, edges of more than
-/// two triangles, neighbours that are turned the other way, open seams (nodes that coincide but are not
-/// shared), surfaces that touch in a point, a part in several pieces.
-void check_shell(const Shell& shell);
 
 /// Joins two nodes; `first` < `second`.
 struct ShellEdge {
@@ -45,8 +26,8 @@ struct ShellNeighbour {
                        ///< to become components in this frame
 };
 
-/// Adds what filling needs to a checked shell. Arrays by node, triangle or edge have the numbering of the
-/// shell.
+/// Adds what filling needs to a checked shell. Arrays by node have the numbering of the shell. Triangles and
+/// edges are those of the flow (`flow_triangles`): as many as the shell has, the same where it is Delaunay.
 ///
 /// The frame of a node is (e1, e2, normal): e1 is the projection of the part's first axis, or second where
 /// that stands on the surface. Vectors go from node to node by keeping their angle to the edge, so that a
@@ -59,7 +40,15 @@ class ShellMesh {
 
   [[nodiscard]] const Shell& shell() const { return shell_; }
   [[nodiscard]] std::size_t node_count() const { return shell_.nodes.size(); }
-  [[nodiscard]] std::size_t triangle_count() const { return shell_.triangles.size(); }
+  [[nodiscard]] std::size_t triangle_count() const { return flow_.corners.size(); }
+  /// Gives the nodes of a triangle of the flow.
+  [[nodiscard]] const std::array<Index, 3>& corners(std::size_t triangle) const {
+    return flow_.corners[triangle];
+  }
+  /// Tells the thickness of a triangle of the flow, m.
+  [[nodiscard]] double thickness_of(std::size_t triangle) const { return flow_.thickness[triangle]; }
+  /// Tells how many edges of the shell the flow does not use, since others are better.
+  [[nodiscard]] std::size_t turned_edges() const { return flow_.turned; }
   [[nodiscard]] std::span<const ShellEdge> edges() const { return edges_; }
   /// Gives the edges of a triangle; edge k is opposite to its node k.
   [[nodiscard]] const std::array<Index, 3>& edges_of(std::size_t triangle) const {
@@ -95,6 +84,7 @@ class ShellMesh {
   void link_neighbours();
 
   Shell shell_;
+  FlowTriangles flow_;
   std::vector<ShellEdge> edges_;
   std::vector<std::array<Index, 3>> triangle_edges_;
   std::vector<std::array<double, 3>> half_cotangents_;

@@ -37,17 +37,20 @@ double total_excess(const FillingState& state) {
   return sum;
 }
 
-/// Makes a field in which nothing flows between nodes.
-void still_field(const ShellMesh& mesh, const FillingState& state, FlowField& field) {
+/// Makes a field in which nothing flows between nodes and nothing is sheared.
+void still_field(const ShellMesh& mesh, FillingState& state, FlowField& field) {
   const std::size_t n = mesh.node_count(), points = state.rate.size();
   field.shares.resize(points, 0);
-  field.inverse_viscosity.resize(points, 0);
+  field.inverse_viscosity.assign(points, 0);
   field.fluidity.resize(n, 0);
-  field.pressure.resize(n, 0);
+  field.pressure.assign(n, 0);
   field.gradient.resize(n, Vec2::Zero());
   field.front_factor.resize(n, 2);
   field.edge_flux.assign(mesh.edges().size(), 0);
   field.wet.resize(n, 0);
+  field.limited = false;
+  std::fill(state.pressure.begin(), state.pressure.end(), 0.0);
+  state.sprue_pressure = field.sprue_pressure = 0;
 }
 
 /// Makes a step that leaves every node what it holds.
@@ -80,6 +83,24 @@ double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const G
   return std::min(duration, time_ahead - state.time);
 }
 
+/// Says whether melt that stands short of the end has frozen off.
+FillingEnd end_of_standing_melt(const ShellMesh& mesh, const FillingState& state, const FlowField& field) {
+  std::size_t frozen = 0, reached = 0;
+  const std::size_t layers = state.rate.size() / mesh.node_count();
+  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
+    if (state.filled[i] < 1) continue;
+    const auto neighbours = mesh.neighbours(i);
+    const bool last = std::any_of(neighbours.begin(), neighbours.end(),
+                                  [&](const ShellNeighbour& to) { return state.filled[to.node] < 1; });
+    if (!last) continue;
+    ++reached;
+    if (field.inverse_viscosity[i * layers] == 0) ++frozen;
+  }
+  const bool frozen_off =
+      static_cast<double>(frozen) >= frozen_share * static_cast<double>(reached) && frozen > 0;
+  return frozen_off ? FillingEnd::frozen : FillingEnd::short_shot;
+}
+
 }  // namespace
 
 Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state) {
@@ -87,6 +108,7 @@ Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const Filling
   Drive drive;
   drive.rate = process.flow.at(state.time, fraction_of(mesh, state));
   drive.pressure = state.control == ControlMode::switchover ? state.held_pressure : process.pressure_limit;
+  drive.pressure = std::min(drive.pressure, greatest_pressure);
   drive.duration = mesh.total_volume() / params.numerics.steps / drive.rate;
   if (!settling(mesh, state)) return drive;
   drive.duration = total_excess(state) / drive.rate;
@@ -119,28 +141,24 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
   }
 }
 
-bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                 const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
-                 FlowField& field) {
-  double missing = 0;
-  for (const std::size_t g : open)
-    for (const Index node : gates.nodes(g)) missing += mesh.volume(node) * (1 - state.filled[node]);
+bool prime_at_sprue(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
+                    FillingState& state, StepFlow& step, FlowField& field) {
+  const double missing = gates.lacking(RunnerKind::none, state);
   if (!(missing > 0)) return false;
   still_field(mesh, state, field);
   state.flow_rate = field.rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   step.duration = cut_at_events(params, mesh, gates, state, missing, state.flow_rate);
   const double share = std::min(1.0, step.duration * state.flow_rate / missing);
   still_contents(mesh, state, step);
-  for (const std::size_t g : open)
-    for (const Index node : gates.nodes(g)) {
-      if (state.filled[node] >= 1) continue;
-      step.gate_volume[node] = share * mesh.volume(node) * (1 - state.filled[node]);
-      step.new_content[node] += step.gate_volume[node];
-      const double before = state.filled[node];
-      state.filled[node] = share < 1 ? step.new_content[node] / mesh.volume(node) : 1;
-      if (before < 0.5 && state.filled[node] >= 0.5)
-        state.fill_time[node] = state.time + step.duration * (0.5 - before) / (state.filled[node] - before);
-    }
+  gates.fill_at_sprue(share, state, step.gate_volume);
+  for (std::size_t node = 0; node < mesh.node_count(); ++node) {
+    if (!(step.gate_volume[node] > 0)) continue;
+    step.new_content[node] += step.gate_volume[node];
+    const double before = state.filled[node];
+    state.filled[node] = share < 1 ? step.new_content[node] / mesh.volume(node) : 1;
+    if (before < 0.5 && state.filled[node] >= 0.5)
+      state.fill_time[node] = state.time + step.duration * (0.5 - before) / (state.filled[node] - before);
+  }
   return true;
 }
 
@@ -150,10 +168,7 @@ void stand_still(const FillingParams& params, const ShellMesh& mesh, const GateC
   still_contents(mesh, state, step);
   std::fill(field.gradient.begin(), field.gradient.end(), Vec2::Zero());
   std::fill(state.rate.begin(), state.rate.end(), 0.0);
-  std::fill(state.pressure.begin(), state.pressure.end(), 0.0);
-  field.limited = false;
   state.flow_rate = field.rate = 0;
-  state.sprue_pressure = field.sprue_pressure = 0;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   step.duration = cut_at_events(params, mesh, gates, state, 0, 0);
   step.duration = std::min(step.duration, mesh.total_volume() / params.numerics.steps / set_rate);
@@ -164,17 +179,27 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
   if (settling(mesh, state))
     return total_excess(state) / params.process.flow.at(state.time, fraction_of(mesh, state));
   const double aimed = mesh.total_volume() / params.numerics.steps;
-  const double volume = std::max(volume_at_front(mesh, field), shortest_share * aimed);
-  return cut_at_events(params, mesh, gates, state, volume, field.rate);
+  const double ahead = volume_at_front(mesh, field) + gates.lacking(RunnerKind::resisting, state);
+  const double volume = std::max(ahead, shortest_share * aimed);
+  const double duration = std::min(cut_at_events(params, mesh, gates, state, volume, field.rate),
+                                   gates.time_to_fill(state, field.sprue_pressure));
+  // Full nodes must not give up more than their excess: they would lack melt and yet count as full.
+  const bool fed =
+      std::any_of(field.source.begin(), field.source.end(), [](double rate) { return rate != 0; });
+  return fed ? std::min(duration, aimed / params.process.flow.at(state.time, fraction_of(mesh, state)))
+             : duration;
 }
 
 FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, const FillingState& state,
                           const FlowField& field) {
   if (state.filled_volume >= (1 - settled_share) * mesh.total_volume()) return FillingEnd::filled;
   // All melt is in. No machine drives it any more: what full nodes hold too much finds the last free places,
-  // however high the pressure that this takes.
-  if (settling(mesh, state))
-    return total_excess(state) <= settled_share * mesh.total_volume() ? FillingEnd::filled : FillingEnd::none;
+  // at whatever pressure this takes, unless none can move it.
+  if (settling(mesh, state)) {
+    if (total_excess(state) <= settled_share * mesh.total_volume()) return FillingEnd::filled;
+    return field.released_share < least_rate_share ? end_of_standing_melt(mesh, state, field)
+                                                   : FillingEnd::none;
+  }
   if (state.time >= params.process.longest_time * (1 - missing_share)) return FillingEnd::time;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
   if (!field.limited || state.flow_rate > least_rate_share * set_rate) return FillingEnd::none;
@@ -182,22 +207,10 @@ FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, co
   const double missing = mesh.total_volume() - state.injected_volume;
   if (missing * set_rate < state.flow_rate * mesh.total_volume()) return FillingEnd::none;
   // What is on its way from full nodes moves the front as well.
-  if (total_excess(state) > least_rate_share * mesh.total_volume() / params.numerics.steps)
+  if (total_excess(state) > least_rate_share * mesh.total_volume() / params.numerics.steps &&
+      field.released_share >= least_rate_share)
     return FillingEnd::none;
-  std::size_t frozen = 0, reached = 0;
-  const std::size_t layers = state.rate.size() / mesh.node_count();
-  for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-    if (state.filled[i] < 1) continue;
-    const auto neighbours = mesh.neighbours(i);
-    const bool last = std::any_of(neighbours.begin(), neighbours.end(),
-                                  [&](const ShellNeighbour& to) { return state.filled[to.node] < 1; });
-    if (!last) continue;
-    ++reached;
-    if (field.inverse_viscosity[i * layers] == 0) ++frozen;
-  }
-  const bool frozen_off =
-      static_cast<double>(frozen) >= frozen_share * static_cast<double>(reached) && frozen > 0;
-  return frozen_off ? FillingEnd::frozen : FillingEnd::short_shot;
+  return end_of_standing_melt(mesh, state, field);
 }
 
 }  // namespace fiberfate

@@ -20,11 +20,12 @@ namespace fiberfate {
 void note_control(const FillingParams& params, const FlowField& field, double filled_fraction,
                   FillingState& state);
 
-/// Fills the control volumes of open gates that are empty, before anything else flows: writes such a step and
-/// returns true, or returns false where there is nothing to fill.
-[[nodiscard]] bool prime_gates(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                               const std::vector<std::size_t>& open, FillingState& state, StepFlow& step,
-                               FlowField& field);
+/// Fills the control volumes of open gates that are the sprue itself, before anything else flows: as long as
+/// melt runs freely out of one of them the sprue has no pressure, and all other melt rests. Writes such a
+/// step and returns true, or returns false where there is nothing to fill.
+[[nodiscard]] bool prime_at_sprue(const FillingParams& params, const ShellMesh& mesh,
+                                  const GateControl& gates, FillingState& state, StepFlow& step,
+                                  FlowField& field);
 
 /// Lets the melt stand while all gates are closed, until one opens or for as long as a step is meant to take:
 /// writes such a step. Heat goes on into the mold.

@@ -43,6 +43,18 @@ std::size_t pass_to_neighbours(const LayerVolumes& surplus, std::size_t layers,
   return count;
 }
 
+/// Lets the melt of a node rest: it is sheared no more, and what comes in fills all layers alike.
+void let_rest(const GapLayers& layers, std::size_t node, FlowField& field, FillingState& state) {
+  const std::size_t count = layers.count();
+  field.gradient[node] = Vec2::Zero();
+  field.fluidity[node] = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    field.shares[node * count + k] = layers.widths()[k];
+    field.inverse_viscosity[node * count + k] = 0;
+    state.rate[node * count + k] = 0;
+  }
+}
+
 }  // namespace
 
 void sort_into_levels(const ShellMesh& mesh, StepFlow& step) {
@@ -92,7 +104,10 @@ void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const Step
         inverse[k] += volume * field.inverse_viscosity[begin + k];
       }
     }
-    if (!(total > 0)) continue;
+    if (!(total > 0)) {
+      let_rest(layers, node, field, state);
+      continue;
+    }
     field.gradient[node] = gradient / total;
     field.fluidity[node] = fluidity / total;
     for (std::size_t k = 0; k < count; ++k) {

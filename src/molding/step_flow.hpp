@@ -61,7 +61,7 @@ struct StepFlow {
 void sort_into_levels(const ShellMesh& mesh, StepFlow& step);
 
 /// Gives nodes of the front the flow shares, shear rates, viscosities and pressure gradient of the melt that
-/// comes in.
+/// comes in. Where none comes from another node the melt rests: nothing shears it.
 void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const StepFlow& step, FlowField& field,
                       FillingState& state);
 

@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "continuum/phelps.hpp"
 #include "microstructure/length_distribution.hpp"
 
 namespace fiberfate {

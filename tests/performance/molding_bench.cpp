@@ -56,7 +56,7 @@ void fill(benchmark::State& state, const Shell& shell, const FillingParams& para
   std::array<double, filling_phase_count> seconds{};
   for (auto _ : state) {
     Filling filling{ShellMesh(shell), params};
-    while (!filling.finished()) filling.advance();
+    filling.run_to_end();
     for (std::size_t p = 0; p < filling_phase_count; ++p)
       seconds[p] += filling.seconds(static_cast<FillingPhase>(p));
     if (filling.state().stop_reason != FillingEnd::filled) state.SkipWithError("the cavity did not fill");

@@ -30,7 +30,7 @@ void MoldExperiment::fill() {
   setup_ = setup_ ? molding_setup(values_, setup_->part.shell) : molding_setup(values_);
   filling_.emplace(ShellMesh(setup_->part.shell), setup_->params);
   if (!is_coupled()) filling_->keep_steps();
-  while (!filling_->finished()) filling_->advance();
+  filling_->run_to_end();
   ++fillings_;
 }
 
@@ -48,7 +48,7 @@ std::vector<MeanLengths> MoldExperiment::lengths_at_places() const {
   const MoldingFields fields(values_, *setup_, *filling_);
   std::vector<MeanLengths> all;
   for (const NamedPlace& place : places()) {
-    all.push_back(fields.means(0, sample_nodes(fields, place)));
+    all.push_back(fields.means(0, fields.sample_at(place)));
     if (!std::isfinite(all.back().number_average))
       throw InputError(fmt::format("no melt comes to \"{}\": the filling ended ({}) at {:.4g} %", place.name,
                                    name(filling_->state().stop_reason), 100 * filling_->filled_fraction()),

@@ -12,12 +12,13 @@
 
 #include "base/error.hpp"
 #include "molding/gate_nodes.hpp"
+#include "molding/mesh_quality.hpp"
 
 namespace fiberfate {
 namespace {
 
-/// Share of edges that may lie between obtuse triangles without a word.
-constexpr double most_obtuse = 0.02;
+/// Error of the pressure by the mesh that users are told of.
+constexpr double noticed_error = 0.01;
 
 /// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
 constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
@@ -174,19 +175,26 @@ FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
   if (starts("fibers.inlet.orientation")) return {"fibers.inlet_orientation", ""};
   if (starts("fibers.coupling")) return {"fibers.coupling", ""};
   if (starts("fibers") || starts("length")) return {"fibers.length", ""};
+  if (fault == "mesh") return {values.part.kind == PartKind::file ? "part.file" : "part.mesh_size", ""};
   return {values.part.kind == PartKind::file ? "part.file" : "part.kind", ""};
 }
 
-/// Tells which share of the edges lies between triangles so obtuse that it conducts nothing.
-double obtuse_share(const ShellMesh& mesh) {
-  constexpr double round_off = 1e-9;
-  std::vector<double> weights(mesh.edges().size(), 0);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      weights[static_cast<std::size_t>(mesh.edges_of(t)[k])] += mesh.half_cotangents(t)[k];
-  const auto obtuse =
-      std::count_if(weights.begin(), weights.end(), [](double weight) { return weight < -round_off; });
-  return static_cast<double>(obtuse) / static_cast<double>(weights.size());
+/// Warns of a mesh that costs more than a little accuracy.
+void warn_of_mesh(const MoldingCase& values, const ShellMesh& mesh, std::span<const Gate> gates,
+                  CaseChecker& checker) {
+  const MeshQuality quality = quality_of(mesh, gates);
+  if (quality.pressure_error() < noticed_error) return;
+  const std::string loss =
+      quality.cut_off > 0
+          ? fmt::format(", and {:.2g} % of what leads the flow lies between obtuse triangles and is lost",
+                        100 * quality.cut_off)
+          : "";
+  checker.warn(
+      values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
+      fmt::format("the melt passes {} edges of the mesh on its longest way{}: pressures are wrong by "
+                  "about {:.1f} %",
+                  quality.reach, loss, 100 * quality.pressure_error()),
+      quality.cut_off > noticed_error / 4 ? "make a Delaunay mesh" : "make a finer mesh");
 }
 
 /// Meshes the part and lets the solver check what it will be given.
@@ -195,11 +203,7 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
     const MoldingSetup setup = molding_setup(values);
     const ShellMesh mesh(setup.part.shell);
     check_params(setup.params, mesh);
-    if (obtuse_share(mesh) > most_obtuse)
-      checker.warn(values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
-                   fmt::format("{:.1f} % of the edges lie between obtuse triangles and conduct nothing",
-                               100 * obtuse_share(mesh)),
-                   "pressures are less exact; a Delaunay mesh has no such edges");
+    warn_of_mesh(values, mesh, setup.params.gates, checker);
     for (const NamedPlace& place : values.output.places) {
       Gate probe;
       probe.position = position_of(place, setup.part);

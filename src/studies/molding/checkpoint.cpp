@@ -1,12 +1,15 @@
-// Keeps fillings in HDF5 (docs/formats/checkpoint.md).
+// Fillings in HDF5 files (docs/formats/checkpoint.md).
 #include "studies/molding/checkpoint.hpp"
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "base/error.hpp"
+#include "molding/state_checks.hpp"
 #include "results/checkpoint_file.hpp"
 
 namespace fiberfate {
@@ -115,18 +118,33 @@ void write_structures(Hdf5File& file, const MoldingCheckpoint& checkpoint) {
   file.write("state/mark", std::span<const std::uint8_t>(mark));
 }
 
+/// Reads a dataset whose rows have so many numbers; raises StorageError where they have not.
+template <class T>
+std::vector<T> read_table(const Hdf5File& file, const char* name, std::uint64_t columns) {
+  if (file.columns(name) != columns)
+    throw StorageError(
+        fmt::format("cannot read {}: dataset {} has rows of {} numbers where {} belong: continue from an "
+                    "older checkpoint, or run the case again",
+                    file.path(), name, file.columns(name), columns));
+  return file.read<T>(name);
+}
+
+/// Reads a small whole number that is stored as a double; what is none becomes -9, which no check lets pass.
+int whole(double value) {
+  return value >= -1 && value < 1e9 && value == std::floor(value) ? static_cast<int>(value) : -9;
+}
+
 void read_structures(const Hdf5File& file, FillingState& state) {
-  const auto gates = file.read<double>("state/gates"), events = file.read<double>("state/events");
+  const auto gates = read_table<double>(file, "state/gates", gate_numbers);
+  const auto events = read_table<double>(file, "state/events", event_numbers);
   for (std::size_t i = 0; i < gates.size(); i += gate_numbers)
-    state.gates.push_back(
-        {static_cast<int>(gates[i]), gates[i + 1], gates[i + 2], gates[i + 3], gates[i + 4]});
+    state.gates.push_back({whole(gates[i]), gates[i + 1], gates[i + 2], gates[i + 3], gates[i + 4]});
   for (std::size_t i = 0; i < events.size(); i += event_numbers)
-    state.events.push_back({events[i], events[i + 1],
-                            static_cast<FillingEventKind>(static_cast<int>(events[i + 2])),
-                            static_cast<int>(events[i + 3])});
+    state.events.push_back({events[i], events[i + 1], static_cast<FillingEventKind>(whole(events[i + 2])),
+                            whole(events[i + 3])});
   for (const auto& [name, vectors] :
        {std::pair("state/inflow", &state.inflow), {"state/gradient", &state.gradient}}) {
-    const auto numbers = file.read<double>(name);
+    const auto numbers = read_table<double>(file, name, 2);
     for (std::size_t i = 0; i < numbers.size(); i += 2) vectors->emplace_back(numbers[i], numbers[i + 1]);
   }
   const auto covered = file.read<std::uint8_t>("state/covered");
@@ -151,10 +169,10 @@ void write_shell(Hdf5File& file, const Shell& shell) {
 
 Shell read_shell(const Hdf5File& file) {
   Shell shell;
-  const auto nodes = file.read<double>("shell/nodes");
+  const auto nodes = read_table<double>(file, "shell/nodes", 3);
   for (std::size_t i = 0; i < nodes.size(); i += 3)
     shell.nodes.emplace_back(nodes[i], nodes[i + 1], nodes[i + 2]);
-  const auto triangles = file.read<std::int32_t>("shell/triangles");
+  const auto triangles = read_table<std::int32_t>(file, "shell/triangles", 3);
   for (std::size_t i = 0; i < triangles.size(); i += 3)
     shell.triangles.push_back({triangles[i], triangles[i + 1], triangles[i + 2]});
   shell.thickness = file.read<double>("shell/thickness");
@@ -162,6 +180,37 @@ Shell read_shell(const Hdf5File& file) {
   shell.region.assign(region.begin(), region.end());
   shell.junctions = static_cast<Junctions>(file.read_attribute<std::int64_t>("shell", "junctions"));
   return shell;
+}
+
+/// Tells the sizes of a state whose part has so many nodes, from the arrays that say them.
+StateShape shape_of(const FillingState& state, std::size_t nodes) {
+  StateShape shape;
+  shape.nodes = nodes;
+  shape.layers = state.temperature.size() / nodes;
+  const std::size_t points = nodes * shape.layers;
+  shape.components = state.orientation[0].empty() ? 0 : state.orientation.size();
+  shape.fields = points > 0 ? state.lengths.size() / points : 0;
+  shape.sensors = state.sensor_arrivals.size();
+  shape.most_moves.assign(state.gates.size(), std::numeric_limits<int>::max());
+  return shape;
+}
+
+/// Compares the parts of a checkpoint with each other: damage that checksums do not see is caught here.
+/// Raises StorageError that names the file and the datasets.
+void require_whole(const std::string& path, const MoldingCheckpoint& checkpoint) {
+  try {
+    check_shell(checkpoint.shell);
+    check_state(checkpoint.state, shape_of(checkpoint.state, checkpoint.shell.nodes.size()));
+  } catch (const InputError& error) {
+    std::vector<std::string> faults;
+    for (const InputProblem& problem : error.problems())
+      faults.push_back(
+          fmt::format("dataset {}: {}", problem.key.empty() ? "shell" : problem.key, problem.complaint));
+    throw StorageError(
+        fmt::format("{} does not hold together: {}: continue from an older checkpoint, or run the "
+                    "case again",
+                    path, fmt::join(faults, "; ")));
+  }
 }
 
 /// Fills a new checkpoint file.
@@ -196,6 +245,7 @@ MoldingCheckpoint read_molding(const std::string& path) {
   visit_record(loader, checkpoint.record);
   read_structures(file, checkpoint.state);
   checkpoint.shell = read_shell(file);
+  require_whole(path, checkpoint);
   return checkpoint;
 }
 

@@ -52,8 +52,12 @@ void describe_material(KeyTable& table, MaterialChoices& material) {
            "\"2200 J/(kg K)\"");
   property("conductivity", material.conductivity, "W/(m K)", Range::between(1e-2, 100),
            "Thermal conductivity.", "\"0.24 W/(m K)\"");
-  property("no_flow_temperature", material.no_flow_temperature, "K", Range::between(0, 2000),
-           "Temperature below which the melt stands still.", "\"403 K\"");
+  table.quantity("material.no_flow_temperature", material.no_flow_temperature,
+                 {.text = "Temperature below which the melt stands still; 0 K: at none.",
+                  .unit = "K",
+                  .range = Range::between(0, 2000),
+                  .need = Need::usual,
+                  .example = "\"403 K\""});
 }
 
 void describe_machine(KeyTable& table, MachineChoices& machine) {
@@ -82,7 +86,8 @@ void describe_machine(KeyTable& table, MachineChoices& machine) {
   };
   pressure("switchover_pressure", machine.switchover_pressure,
            "Pressure at the sprue from then on; not given: what it was at that moment.");
-  pressure("pressure_limit", machine.pressure_limit, "Largest pressure at the sprue; not given: none.");
+  pressure("pressure_limit", machine.pressure_limit,
+           "Largest pressure at the sprue; not given: 1 GPa, more than any machine has.");
   const auto temperature = [&table](const char* key, double& member, const char* text, const char* example) {
     table.quantity(std::string("machine.") + key, member,
                    {.text = text,

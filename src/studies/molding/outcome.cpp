@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -51,9 +53,30 @@ double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
   return sum / weights;  // NaN where there is no melt
 }
 
-/// One row a place and length set: the sweep's value, fill time, temperature, L_N, L_W.
+/// Names the mean lengths of a place: those that measurements are compared with, those of all fibers of the
+/// sample, and the means over the gap.
+constexpr const char* place_lengths[] = {"L_N_m",        "L_W_m",          "L_N_sample_m",
+                                         "L_W_sample_m", "L_N_gap_mean_m", "L_W_gap_mean_m"};
+
+std::array<double, std::size(place_lengths)> lengths_at(const MoldingFields& fields, std::size_t set,
+                                                        const std::vector<Index>& sample) {
+  std::array<double, std::size(place_lengths)> lengths;
+  lengths.fill(std::nan(""));
+  if (fields.set_count() == 0) return lengths;
+  const MeanLengths all[] = {fields.means(set, sample), fields.sample_means(set, sample),
+                             fields.gap_means(set, sample)};
+  for (std::size_t i = 0; i < std::size(all); ++i) {
+    lengths[2 * i] = all[i].number_average;
+    lengths[2 * i + 1] = all[i].weight_average;
+  }
+  return lengths;
+}
+
+/// One row a place and length set: the sweep's value, fill time, temperature, mean lengths.
 CsvTable places_table(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples) {
-  CsvTable table = empty_table({"place", "set", "value", "fill_time_s", "temperature_K", "L_N_m", "L_W_m"});
+  std::vector<std::string> columns = {"place", "set", "value", "fill_time_s", "temperature_K"};
+  columns.insert(columns.end(), std::begin(place_lengths), std::end(place_lengths));
+  CsvTable table = empty_table(std::move(columns));
   const FillingState& state = fields.filling().state();
   const std::vector<double> temperature = fields.filling().gap_average(state.temperature);
   for (std::size_t p = 0; p < samples.size(); ++p) {
@@ -63,10 +86,10 @@ CsvTable places_table(const MoldingFields& fields, const std::vector<std::vector
     for (std::size_t set = 0; set < std::max<std::size_t>(1, fields.set_count()); ++set) {
       const std::vector<double>& swept = fields.setup().sweep_values;
       const double value = set >= 1 && set <= swept.size() ? swept[set - 1] : std::nan("");
-      const MeanLengths means =
-          fields.set_count() == 0 ? MeanLengths{std::nan(""), std::nan("")} : fields.means(set, samples[p]);
-      append_row(table, {static_cast<double>(p), static_cast<double>(set), value, fill, heat,
-                         means.number_average, means.weight_average});
+      std::vector<double> row = {static_cast<double>(p), static_cast<double>(set), value, fill, heat};
+      const auto lengths = lengths_at(fields, set, samples[p]);
+      row.insert(row.end(), lengths.begin(), lengths.end());
+      append_row(table, row);
     }
   }
   return table;
@@ -213,8 +236,8 @@ void add_places(const MoldingFields& fields, const CsvTable& places, RunSummary&
       summary.own.emplace_back(prefix + "temperature_K", places.column("temperature_K")[i]);
     }
     if (fields.set_count() == 0) continue;
-    summary.own.emplace_back(prefix + "L_N_m", places.column("L_N_m")[i]);
-    summary.own.emplace_back(prefix + "L_W_m", places.column("L_W_m")[i]);
+    for (const char* length : place_lengths)
+      summary.own.emplace_back(prefix + length, places.column(length)[i]);
   }
 }
 
@@ -275,8 +298,7 @@ Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record)
   RunSummary& summary = outcome.summary;
   add_filling(fields, record, summary);
   std::vector<std::vector<Index>> samples;
-  for (const NamedPlace& place : fields.values().output.places)
-    samples.push_back(sample_nodes(fields, place));
+  for (const NamedPlace& place : fields.values().output.places) samples.push_back(fields.sample_at(place));
   if (fields.setup().params.fibers.orientation) summary.orientation = part_orientation(fields);
   if (fields.set_count() > 0) {
     std::vector<Index> all(fields.filling().mesh().node_count());

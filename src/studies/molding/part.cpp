@@ -10,27 +10,28 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/patch_mesher.hpp"
 #include "io/surface_file.hpp"
 #include "keys/text_keys.hpp"
 #include "keys/text_rows.hpp"
 #include "studies/molding/element_thickness.hpp"
-#include "studies/molding/part_shapes.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr double most_triangles = 4e6;
 
+/// Sizes of parts, of their walls and of what lies on them, m: below a tenth of a millimetre and a micrometre
+/// nothing is molded, and meshers fail.
+const Range sizes = Range::between(1e-4, 100);
+const Range walls = Range::between(1e-6, 0.1);
+
 void describe_shape(KeyTable& table, PartChoices& part) {
   const auto length = [&table](const char* key, std::optional<double>& member, const char* text,
                                const char* example = "", Need need = Need::optional) {
-    table.quantity(std::string("part.") + key, member,
-                   {.text = text,
-                    .unit = "m",
-                    .friendly = "mm",
-                    .range = Range::positive(100),
-                    .need = need,
-                    .example = example});
+    table.quantity(
+        std::string("part.") + key, member,
+        {.text = text, .unit = "m", .friendly = "mm", .range = sizes, .need = need, .example = example});
   };
   length("length", part.length, "Length along x, of plaque, frame and ribbed.", "\"305 mm\"", Need::usual);
   length("width", part.width, "Width along y, of plaque, frame and ribbed.", "\"102 mm\"", Need::usual);
@@ -43,7 +44,7 @@ void describe_shape(KeyTable& table, PartChoices& part) {
                  {.text = "Height of the ribs; their thickness is that of region \"rib\".",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(1)});
+                  .range = Range::between(1e-4, 1)});
   table.quantity("part.volume", part.volume,
                  {.text = "Volume of the tailgate; with the thickness it sets the height.",
                   .unit = "m^3",
@@ -67,17 +68,18 @@ void describe_gate(KeyTable& table, PartChoices& part) {
                  {.text = "Width of an edge gate, or of a fan's entry; not given: the whole edge.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(100)});
+                  .range = sizes});
   table.quantity(
       "part.gate_radius", part.gate_radius,
-      {.text = "Radius of a round gate.", .unit = "m", .friendly = "mm", .range = Range::positive(1)});
-  table.quantity("part.fan_length", part.fan_length,
-                 {.text = "Length of the fan.", .unit = "m", .friendly = "mm", .range = Range::positive(10)});
+      {.text = "Radius of a round gate.", .unit = "m", .friendly = "mm", .range = Range::between(1e-6, 1)});
+  table.quantity(
+      "part.fan_length", part.fan_length,
+      {.text = "Length of the fan.", .unit = "m", .friendly = "mm", .range = Range::between(1e-4, 10)});
   table.quantity("part.fan_thickness", part.fan_thickness,
                  {.text = "Thickness of the fan at its entry; it falls to that of the part.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(0.1)});
+                  .range = walls});
 }
 
 void describe_thickness(KeyTable& table, PartChoices& part) {
@@ -85,31 +87,30 @@ void describe_thickness(KeyTable& table, PartChoices& part) {
                  {.text = "Thickness of the wall.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(0.1),
+                  .range = walls,
                   .need = Need::usual,
                   .example = "\"2 mm\"",
                   .source = "thesis table 10"});
-  describe_text_rows(
-      table, "part.thicknesses",
-      {.text = "Rows [region, thickness] of regions with a thickness of their own.",
-       .example = R"([["rib", "1.2 mm"]])"},
-      {[&part](const std::vector<TomlValue>& row) -> std::optional<Complaint> {
-         const RowTexts texts(row);
-         if (texts.count() != 2 || texts.text(0).empty())
-           return Complaint{"not a row of a region and a thickness", ""};
-         const Reading<double> thickness = read_quantity(row[1], {"m", "mm"}, Range::positive(0.1));
-         if (const auto* complaint = std::get_if<Complaint>(&thickness)) return *complaint;
-         part.thicknesses.push_back({texts.text(0), std::get<double>(thickness)});
-         return std::nullopt;
-       },
-       [&part] { part.thicknesses.clear(); },
-       [&part](NumberStyle style) {
-         std::vector<std::string> rows;
-         for (const RegionThickness& one : part.thicknesses)
-           rows.push_back(
-               write_list({write_text(one.region), write_quantity(one.thickness, {"m", "mm"}, style)}));
-         return rows;
-       }});
+  describe_text_rows(table, "part.thicknesses",
+                     {.text = "Rows [region, thickness] of regions with a thickness of their own.",
+                      .example = R"([["rib", "1.2 mm"]])"},
+                     {[&part](const std::vector<TomlValue>& row) -> std::optional<Complaint> {
+                        const RowTexts texts(row);
+                        if (texts.count() != 2 || texts.text(0).empty())
+                          return Complaint{"not a row of a region and a thickness", ""};
+                        const Reading<double> thickness = read_quantity(row[1], {"m", "mm"}, walls);
+                        if (const auto* complaint = std::get_if<Complaint>(&thickness)) return *complaint;
+                        part.thicknesses.push_back({texts.text(0), std::get<double>(thickness)});
+                        return std::nullopt;
+                      },
+                      [&part] { part.thicknesses.clear(); },
+                      [&part](NumberStyle style) {
+                        std::vector<std::string> rows;
+                        for (const RegionThickness& one : part.thicknesses)
+                          rows.push_back(write_list(
+                              {write_text(one.region), write_quantity(one.thickness, {"m", "mm"}, style)}));
+                        return rows;
+                      }});
   table.file("part.thickness_file", part.thickness_file,
              {.text = "Table of the thickness of every triangle of a mesh from a file, instead of thickness: "
                       "rows of the element's number in that file (in an .stl, counted from 1) and the "
@@ -230,7 +231,7 @@ void describe_part(KeyTable& table, PartChoices& part) {
                  {.text = "Length of one unit in that file.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(1e3)});
+                  .range = Range::between(1e-9, 1e3)});
   table.choice("part.junctions", part.junctions,
                {{Junctions::refused, "refused", "more than two triangles at an edge are an error"},
                 {Junctions::allowed, "allowed", "walls may meet, as ribs and plates do"}},
@@ -241,7 +242,7 @@ void describe_part(KeyTable& table, PartChoices& part) {
                  {.text = "Edge length of the triangles with which a described part is meshed.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(1)});
+                  .range = Range::between(1e-5, 1)});
   describe_gate(table, part);
 }
 

@@ -176,7 +176,8 @@ Outcome MoldingRun::finish(StopReason reason) {
   summary.volume_fraction = values_.fibers.volume_fraction;
   outcome.prisms.push_back({"layers", layer_prisms(fields_)});
   if (has_properties(values_))
-    outcome.frames.push_back({"properties", {properties_frame(fields_, triangle_properties(fields_))}});
+    outcome.frames.push_back(
+        {"properties", {properties_frame(filling_, triangle_properties(fields_, solid_of(values_)))}});
   const MoldingRecord now = record();
   summary.wall_s = now.wall_s;
   summary.cpu_s = now.cpu_s;
@@ -219,7 +220,8 @@ Outcome compute_molding(const MoldingCase& values, Session& session) {
   return session.continues() ? continue_filling(values, session) : begin_filling(values, session);
 }
 
-std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out) {
+std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
+                             StructuralSolver solver) {
   if (!has_properties(values))
     throw InputError("this result has no stiffness: the case follows no orientation or gives no lengths",
                      "choose a law in [orientation] and give fibers.length");
@@ -228,7 +230,7 @@ std::string export_structure(const MoldingCase& values, const ResultFolder& fold
   const Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
   const MoldingFields fields(values, setup, filling);
   const std::string path = out + "/part.inp";
-  write_structural_input(path, filling.mesh().shell(), triangle_properties(fields));
+  write_structural_input(path, filling.mesh().shell(), plies(fields, solid_of(values)), solver);
   return path;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studies/molding/case.hpp"
+#include "studies/molding/properties.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
@@ -14,6 +15,7 @@ namespace fiberfate {
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder);
 /// Writes the part with its stiffness for a structural solver to `out`/part.inp and tells its path. Raises
 /// InputError when the case follows no orientation or lengths.
-std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out);
+std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
+                             StructuralSolver solver);
 
 }  // namespace fiberfate

@@ -149,7 +149,12 @@ TableSection places_section(const MoldingCase& values, const CsvTable& places) {
                             places.column("fill_time_s")[i], places.column("temperature_K")[i],
                             places.column("L_N_m")[i], places.column("L_W_m")[i]});
   }
-  section.caption = "Means over the gap and over the radius of a sample.";
+  section.caption =
+      values.fibers.number_average
+          ? "Means over the gap and over the radius of a sample. places.csv has L_N and L_W of all "
+            "fibers of the sample beside them."
+          : "L_N and L_W of all fibers in the gap and radius of a sample, in which layers of short "
+            "fibers count the more; places.csv has the means over the gap beside them.";
   return section;
 }
 

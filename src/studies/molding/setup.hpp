@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "molding/filled_lengths.hpp"
 #include "studies/molding/case.hpp"
 
 namespace fiberfate {
-
-/// Names how the classes of initial length stand for the fibers.
-enum class LengthReading {
-  population,  ///< they are classes of a distribution
-  means        ///< class 0 is L_N, class 1 is L_W
-};
 
 /// Holds everything for one filling.
 struct MoldingSetup {

@@ -86,6 +86,41 @@ TEST(Conservation, VolumeTracerAndHeatAreKept) {
   EXPECT_GT(state.gates[1].volume, 0.1 * whole);
 }
 
+/// What the sprue delivers, int of Q dt, is in the cavity, and has come through the gates: also where valves
+/// open on melt that is on its way, close, and open again.
+TEST(Conservation, ValvesLoseNothing) {
+  FillingParams params = thermal_params();
+  const auto filled = [](double share) { return Trigger{TriggerKind::filled_fraction, share}; };
+  params.gates[0].intervals = {{{TriggerKind::start}, filled(0.55)}, {filled(0.8)}};
+  params.gates[1].intervals = {{{TriggerKind::arrival, 0}, filled(0.6)}, {filled(0.62)}};
+  Gate third;
+  third.position = Vec3(0.05, 0.01, 0);
+  third.radius = 5e-3;
+  third.intervals = {{filled(0.5)}};
+  params.gates.push_back(third);
+  params.fibers = {};
+  Filling filling(ShellMesh(uneven_plate()), params);
+  const FillingState& state = filling.state();
+  const double whole = filling.mesh().total_volume();
+  double delivered = 0;
+  while (!filling.finished()) {
+    const double before = state.time;
+    filling.advance();
+    delivered += state.flow_rate * (state.time - before);
+    double held = 0, entered = 0;
+    for (std::size_t i = 0; i < filling.mesh().node_count(); ++i)
+      held += filling.mesh().volume(i) * state.filled[i] + state.excess[i];
+    for (const GateState& gate : state.gates) entered += gate.volume;
+    ASSERT_NEAR(held, delivered, 1e-10 * whole);
+    ASSERT_NEAR(entered, delivered, 1e-10 * whole);
+    ASSERT_NEAR(state.injected_volume, delivered, 1e-12 * whole);
+  }
+  EXPECT_EQ(state.stop_reason, FillingEnd::filled);
+  EXPECT_NEAR(filling.filled_fraction(), 1, 1e-10);
+  EXPECT_NEAR(delivered, whole, 1e-10 * whole);
+  EXPECT_EQ(state.events.size(), 8u);
+}
+
 /// The work of the gates, int of p Q dt, is what the flow turns into heat.
 TEST(Conservation, HeatOfFlowIsTheWorkOfTheGates) {
   FillingParams params = thermal_params();

@@ -27,11 +27,6 @@ std::shared_ptr<const AttritionLaw> law(double xi) {
   return make_attrition_law("unbreakable_length", values);
 }
 
-/// Fills a channel to the end: what is near the gate has then been steady for long.
-void fill(Filling& filling) {
-  while (!filling.finished()) filling.advance();
-}
-
 /// In a steady channel a layer of velocity v = (3/2)(Q/WH)(1 - zeta²) (mean over the layer) carries
 ///   L(x) = L_inf + (L_0 - L_inf) exp(-k_f x/v),
 /// rate = 6 (Q/WH²) zeta, k_f = xi rate, L_inf = lambda d_f sqrt(sigma_u/(eta rate)).
@@ -41,7 +36,7 @@ TEST(LengthTransport, SteadyChannelKeepsTheExactProfile) {
   FillingParams params = channel_params(r);
   for (const double xi : {0.002, 0.02}) params.fibers.length_sets.push_back({"xi", law(xi)});
   Filling filling{ShellMesh(rectangle(r)), params};
-  fill(filling);
+  filling.run_to_end();  // what is near the gate has then been steady for long
   const auto heights = filling.layers().shear_heights();
   const auto bounds = filling.layers().bounds();
   double squares = 0;
@@ -75,8 +70,8 @@ TEST(LengthTransport, ManySetsAreAsOne) {
   one.fibers.length_sets = {{"xi", law(0.01)}};
   one.fibers.class_lengths = {0.008};
   Filling first{ShellMesh(rectangle(r)), many}, second{ShellMesh(rectangle(r)), one};
-  fill(first);
-  fill(second);
+  first.run_to_end();
+  second.run_to_end();
   for (std::size_t node = 0; node < first.mesh().node_count(); node += 7)
     for (std::size_t k = 0; k < first.layers().count(); ++k)
       EXPECT_EQ(first.lengths(2, node, k)[1], second.lengths(0, node, k)[0]);
@@ -90,13 +85,13 @@ TEST(LengthTransport, FollowedAgainIsAsFilledAnew) {
   params.fibers.length_sets = {{"xi", law(0.001)}};
   Filling kept{ShellMesh(rectangle(r)), params};
   kept.keep_steps();
-  fill(kept);
+  kept.run_to_end();
   const double phelps[] = {0.01, 3, 0.25, 73e9, 19e-6, 0};
   for (const auto& other :
        {law(0.02), std::shared_ptr<const AttritionLaw>(make_attrition_law("phelps", phelps))}) {
     params.fibers.length_sets = {{"other", other}};
     Filling anew{ShellMesh(rectangle(r)), params};
-    fill(anew);
+    anew.run_to_end();
     kept.follow_lengths_again({{"other", other}});
     EXPECT_EQ(kept.state().lengths, anew.state().lengths);
   }
@@ -116,7 +111,7 @@ TEST(LengthTransport, PhelpsKeepsTheFiberLength) {
   const double values[] = {0.01, 3, 0.25, 73e9, 19e-6, 0};
   params.fibers.length_sets = {{"phelps", make_attrition_law("phelps", values)}};
   Filling filling{ShellMesh(rectangle(r)), params};
-  fill(filling);
+  filling.run_to_end();
   const auto bins = filling.bin_lengths(0);
   double shortest = 1;
   for (std::size_t node = 0; node < filling.mesh().node_count(); ++node)
@@ -148,7 +143,7 @@ TEST(LengthTransport, GatesBringInDistributionsOfTheirOwn) {
   params.fibers.length_sets = {{"still", make_attrition_law("constant", still)},
                                {"phelps", make_attrition_law("phelps", phelps)}};
   Filling filling{ShellMesh(rectangle(r)), params};
-  fill(filling);
+  filling.run_to_end();
   const double first[] = {0.015, 2 * 0.008}, whole = first[0] + first[1];
   const double scale = whole / (3 * 0.015 + 0.008), second[] = {scale * 3 * 0.015, scale * 0.008};
   double held[2] = {0, 0}, mixed = 0;
@@ -188,7 +183,7 @@ TEST(OrientationTransport, WallHasTheSteadyStateOfThePointLaw) {
   FillingParams params = channel_params(r);
   params.fibers.orientation = model();
   Filling filling{ShellMesh(rectangle(r)), params};
-  fill(filling);
+  filling.run_to_end();
   OrientationIntegrator point(OrientationLaw(model()), GradientHistory::constant(simple_shear_gradient()),
                               {});
   point.advance_to(300);
@@ -206,7 +201,7 @@ TEST(OrientationTransport, FrameOfThePartDoesNotMatter) {
   params.fibers.orientation = model();
   params.fibers.inlet = {Vec3(0.6, 0.3, 0.1).asDiagonal(), InletAxes::flow, {}, {}};
   Filling flat{ShellMesh(rectangle(r)), params};
-  fill(flat);
+  flat.run_to_end();
   const Mat3 turn = Eigen::AngleAxisd(0.9, Vec3(2, -1, 1).normalized()).toRotationMatrix();
   const auto turned = [&](const Vec3& x) { return Vec3(turn * x); };
   const auto folded = [&](const Vec3& x) {
@@ -214,10 +209,10 @@ TEST(OrientationTransport, FrameOfThePartDoesNotMatter) {
   };
   params.gates = {film_gate(turned({0, 0, 0}), turned({0, r.width, 0}))};
   Filling second{ShellMesh(rectangle(r, turned)), params};
-  fill(second);
+  second.run_to_end();
   params.gates = {film_gate({0, 0, 0}, {0, r.width, 0})};
   Filling third{ShellMesh(rectangle(r, folded)), params};
-  fill(third);
+  third.run_to_end();
   const Mat3 fold = Eigen::AngleAxisd(-std::numbers::pi / 2, Vec3::UnitY()).toRotationMatrix();
   for (const double x : {0.02, 0.06})
     for (std::size_t k = 0; k < flat.layers().count(); ++k) {

@@ -1,60 +1,15 @@
-// Checks that threads and interruptions change nothing, and that coupling does what it should.
+// Threads change nothing, and fibers that the flow feels do what they should.
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
-#include "continuum/length_registry.hpp"
-#include "continuum/orientation_registry.hpp"
-#include "test_shells.hpp"
+#include "full_filling.hpp"
+#include "same_state.hpp"
 
 namespace fiberfate {
 namespace {
 
 using namespace test;
-
-/// A plaque with everything on: heat, orientation, lengths, coupling, a valve gate, switchover.
-FillingParams full_params() {
-  FillingParams params =
-      isothermal(2e-5, viscosity("cross_wlf", {25000, 0.3, 4e12, 263.15, 0, 26.5, 51.6}), {});
-  params.material = {params.material.viscosity, 1000, 2300, 0.2, 273.15 + 135};
-  params.process.inlet_temperature = 273.15 + 250;
-  params.process.mold_temperature = 273.15 + 50;
-  params.process.switchover_fraction = 0.98;
-  params.numerics.heat = HeatModel::full;
-  params.numerics.layers = 8;
-  params.numerics.steps = 60;
-  Gate second;
-  second.position = Vec3(0.08, 0.02, 0);
-  second.intervals[0].opens = {TriggerKind::arrival, 0.01};
-  params.gates = {{}, second};
-  params.gates[0].position = Vec3(0.02, 0.02, 0);
-  OrientationModel model = orientation_model_named("iard_rpr", "ibof");
-  model.constants.c_i = 0.0165;
-  model.constants.c_m = 0.999;
-  model.constants.alpha = 0.965;
-  params.fibers.orientation = model;
-  const double values[] = {0.05, 0.01, 2e9, 19e-6};
-  params.fibers.length_sets = {{"xi", make_attrition_law("unbreakable_length", values)}};
-  params.fibers.class_lengths = {0.0006};
-  params.fibers.coupling = FiberCoupling{0.15, 19e-6, 0, 0, 0};
-  return params;
-}
-
-Shell plaque() {
-  return rectangle({0.1, 0.04, 0.002, 25, 10});
-}
-
-void expect_same(const FillingState& a, const FillingState& b) {
-  EXPECT_EQ(a.time, b.time);
-  EXPECT_EQ(a.steps, b.steps);
-  EXPECT_EQ(a.sprue_pressure, b.sprue_pressure);
-  EXPECT_EQ(a.filled, b.filled);
-  EXPECT_EQ(a.pressure, b.pressure);
-  EXPECT_EQ(a.temperature, b.temperature);
-  EXPECT_EQ(a.rate, b.rate);
-  EXPECT_EQ(a.lengths, b.lengths);
-  for (std::size_t m = 0; m < 6; ++m) EXPECT_EQ(a.orientation[m], b.orientation[m]);
-}
 
 TEST(FillingInvariance, ThreadsGiveTheSameBits) {
   const int before = thread_count();
@@ -70,35 +25,30 @@ TEST(FillingInvariance, ThreadsGiveTheSameBits) {
   EXPECT_EQ(one.state().stop_reason, FillingEnd::filled);
 }
 
-TEST(FillingInvariance, AResumedFillingContinuesBitwise) {
-  Filling whole{ShellMesh(plaque()), full_params()}, first{ShellMesh(plaque()), full_params()};
-  while (!whole.finished()) whole.advance();
-  for (int step = 0; step < 35; ++step) first.advance();
-  Filling second{ShellMesh(plaque()), full_params(), first.state()};
-  while (!second.finished()) second.advance();
-  expect_same(whole.state(), second.state());
-  EXPECT_LT(whole.state().sprue_pressure, 200e6);
-}
-
-/// The same while the melt stands behind closed gates: nothing but the state knows of it.
-TEST(FillingInvariance, StandingMeltResumesBitwise) {
-  FillingParams params = full_params();
-  params.gates[0].intervals = {{{TriggerKind::start}, {TriggerKind::time, 0.1}}, {{TriggerKind::time, 0.15}}};
-  Filling whole{ShellMesh(plaque()), params};
-  while (whole.state().time < 0.11) whole.advance();
-  ASSERT_EQ(whole.state().flow_rate, 0);
-  Filling second{ShellMesh(plaque()), params, whole.state()};
-  while (!whole.finished()) whole.advance();
-  while (!second.finished()) second.advance();
-  expect_same(whole.state(), second.state());
-  EXPECT_EQ(whole.state().stop_reason, FillingEnd::filled);
-}
-
 TEST(FillingInvariance, AForeignStateIsRefused) {
   Filling filling{ShellMesh(plaque()), full_params()};
   FillingParams other = full_params();
   other.numerics.layers = 10;
   EXPECT_THROW(Filling(ShellMesh(plaque()), other, filling.state()), InputError);
+  const auto complaint = [](const FillingState& state) -> std::string {
+    try {
+      Filling(ShellMesh(plaque()), full_params(), state);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint(filling.state()), "");
+  FillingState state = filling.state();
+  state.filled.pop_back();
+  state.rate[7] = -1;
+  state.gates[1].moves = 9;
+  state.mark[0] = static_cast<NodeMark>(77);
+  const std::string told = complaint(state);
+  for (const char* part : {"state/filled: 285 values where 286 belong", "state/rate: value 7 is -1",
+                           "state/gates: gate 1 cannot have moved 9 times",
+                           "state/mark: there are no such marks", "from a checkpoint that is whole"})
+    EXPECT_NE(told.find(part), std::string::npos) << part << "\nin\n" << told;
 }
 
 /// Fibers raise the viscosity in shear by 1 + R (D:A4:D)/(D:D): with isotropic fibers, 2/15 of the squared
@@ -140,7 +90,7 @@ TEST(FiberCouplingInFlow, LengthsFeelTheViscosityThatIsChosen) {
     params.fibers.orientation = model;
     params.fibers.coupling = coupling;
     Filling filling{ShellMesh(rectangle(r)), params};
-    while (!filling.finished()) filling.advance();
+    filling.run_to_end();
     return filling.mean_lengths_of(0, filling.mesh().nearest_node({0.04, 0.005, 0}))[0];
   };
   FiberCoupling coupling{0.1, 19e-6, -1, 0, 100};

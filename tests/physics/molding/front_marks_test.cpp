@@ -18,7 +18,7 @@ TEST(FrontMarks, FrontsThatMeetLeaveAWeldLine) {
   FillingParams params = newtonian(1e-6, film_gate({0, 0, 0}, {0, r.width, 0}));
   params.gates.push_back(film_gate({r.length, 0, 0}, {r.length, r.width, 0}));
   Filling filling{ShellMesh(rectangle(r)), params};
-  while (!filling.finished()) filling.advance();
+  filling.run_to_end();
   int welds = 0;
   for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
     const double x = filling.mesh().shell().nodes[i][0];
@@ -34,7 +34,7 @@ TEST(FrontMarks, APlaneFrontLeavesNoWeldLine) {
   const Rectangle r{0.08, 0.01, 0.002, 40, 4};
   int last = 0;
   Filling filling{ShellMesh(rectangle(r)), newtonian(1e-6, film_gate({0, 0, 0}, {0, r.width, 0}))};
-  while (!filling.finished()) filling.advance();
+  filling.run_to_end();
   for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
     const double x = filling.mesh().shell().nodes[i][0];
     EXPECT_NE(filling.state().mark[i], NodeMark::weld_line);
@@ -59,7 +59,7 @@ TEST(FrontMarks, ASlowRegionTrapsAir) {
     if ((centre - Vec3(0.03, 0.03, 0)).norm() < 0.012) shell.thickness[t] = 0.0008;
   }
   Filling filling{ShellMesh(shell), newtonian(1e-6, film_gate({0, 0, 0}, {0, r.width, 0}))};
-  while (!filling.finished()) filling.advance();
+  filling.run_to_end();
   bool trapped = false;
   for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
     const Vec3& x = filling.mesh().shell().nodes[i];

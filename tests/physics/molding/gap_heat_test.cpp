@@ -47,13 +47,15 @@ TEST(GapHeat, MeltAtRestCoolsByConduction) {
   params.numerics.layers = 40;
   params.numerics.steps = 2000;  // of 0.08 s each, at the slow rate: the implicit step is of first order
   Filling filling{ShellMesh(rectangle(r)), params};
-  while (!filling.finished()) filling.advance();
+  filling.run_to_end();
   const std::size_t node = filling.mesh().nearest_node({0.02, 0.005, 0}), layers = filling.layers().count();
   for (const std::size_t k : {std::size_t{0}, layers / 2, layers - 3}) {
     const double fourier_number = 1e-7 * filling.state().time / 1e-6;
     const double wanted = cooling(filling.layers().middles()[k], fourier_number);
     const double found = (filling.state().temperature[node * layers + k] - mold) / (inlet - mold);
-    EXPECT_NEAR(found, wanted, 0.015);
+    // The implicit step is of first order: 0.024, 0.014, 0.006, 0.003 off with 500, 1000, 2000, 4000 steps,
+    // whatever the layers.
+    EXPECT_NEAR(found, wanted, 0.007);
   }
 }
 
@@ -64,7 +66,7 @@ TEST(GapHeat, ViscousHeatingIsThePressureDrop) {
   params.material.conductivity = 1e-9;
   params.process.mold_temperature = inlet;
   Filling filling{ShellMesh(rectangle(r)), params};
-  while (!filling.finished()) filling.advance();
+  filling.run_to_end();
   const HeatAccount& heat = filling.state().heat;
   // Work = int p Q dt with p = 12 eta Q x/(W H³), so half the last pressure times the volume.
   const double last = 12 * 2000 * 2e-5 * r.length / (r.width * std::pow(r.thickness, 3));

@@ -32,8 +32,7 @@ Shell plaque() {
 }
 
 void fill(Filling& filling) {
-  while (!filling.finished()) filling.advance();
-  EXPECT_EQ(filling.state().stop_reason, FillingEnd::filled);
+  EXPECT_EQ(filling.run_to_end().stop_reason, FillingEnd::filled);
 }
 
 OrientationModel iard_rpr(double beta) {
@@ -85,8 +84,9 @@ TEST(ThermalPlaque, AThinMiddleLayerShowsTheMidPlane) {
     along_flow[thin ? 1 : 0] = filling.orientation(filling.mesh().nearest_node({0.2, width / 2, 0}), 0)(0, 0);
   }
   EXPECT_GT(along_flow[0], 1.0 / 3 + 0.1);
-  // The melt next to the gate is stretched a little in the surface.
-  EXPECT_NEAR(along_flow[1], 1.0 / 3, 0.015);
+  // Where the flow settles behind the gate the melt is stretched in the surface: 0.006 below a third is the
+  // limit of thin layers (ratios 0.1 and 0.05).
+  EXPECT_NEAR(along_flow[1], 1.0 / 3, 0.008);
 }
 
 /// RPR's second constant is a time and keeps the batch from one common duration: the way around gives the
@@ -104,7 +104,8 @@ TEST(ThermalPlaque, RetardationWithATimeConstantIsContinuousAtZero) {
   fill(with);
   for (std::size_t m = 0; m < 6; ++m)
     for (std::size_t p = 0; p < with.state().orientation[m].size(); ++p)
-      EXPECT_NEAR(with.state().orientation[m][p], without.state().orientation[m][p], 2e-3);
+      // Both ways choose steps of their own within orientation_tolerance: 2e-4 apart at 1e-4, 4e-5 at 1e-5.
+      EXPECT_NEAR(with.state().orientation[m][p], without.state().orientation[m][p], 1e-4);
 }
 
 /// A wall that takes up no heat leaves it in the melt.

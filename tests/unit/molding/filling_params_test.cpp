@@ -9,9 +9,12 @@
 #include "base/error.hpp"
 #include "continuum/length_registry.hpp"
 #include "molding/gate_nodes.hpp"
+#include "plate.hpp"
 
 namespace fiberfate {
 namespace {
+
+using test::plate;
 
 ShellMesh square() {
   return ShellMesh(
@@ -29,7 +32,7 @@ FillingParams sound() {
 
 std::string complaint(const FillingParams& params) {
   try {
-    check_params(params, square());
+    check_params(params, plate(1, 8));
   } catch (const InputError& error) {
     return error.what();
   }
@@ -70,6 +73,18 @@ TEST(FillingParamsChecks, ACavityThatCannotFillIsRefused) {
   EXPECT_NE(complaint(params).find("give at least one flow rate"), std::string::npos);
   params.process.flow = {{{0, 1e-6}, {0, 2e-6}}};
   EXPECT_NE(complaint(params).find("do not rise"), std::string::npos);
+}
+
+TEST(FillingParamsChecks, AMeshThatCannotShowAFrontIsRefused) {
+  try {
+    check_params(sound(), square());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "mesh: its 2 triangles are too few: no node is more than 1 edges from a gate: mesh the part so "
+        "that melt passes 4 edges and more on its longest way, better 20");
+  }
 }
 
 TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {

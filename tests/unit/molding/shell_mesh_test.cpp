@@ -164,5 +164,32 @@ TEST(ShellMesh, FindsTheNearestNode) {
   EXPECT_EQ(ShellMesh(square()).nearest_node({0.9, 0.8, 0.3}), 2u);
 }
 
+/// The long diagonal of a kite lies between angles that add up to more than pi: the flow takes the short one,
+/// and area, volume and the shell stay what they are.
+TEST(ShellMesh, ObtusePairsAreTurned) {
+  const Shell kite{
+      {{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}, {0.002, 0.00204}, {}, {}};
+  const ShellMesh mesh(kite);
+  EXPECT_EQ(mesh.turned_edges(), 1u);
+  EXPECT_EQ(mesh.shell().triangles, kite.triangles);
+  for (const ShellEdge& edge : mesh.edges()) EXPECT_FALSE(edge.first == 0 && edge.second == 1);
+  for (std::size_t t = 0; t < 2; ++t) {
+    EXPECT_NEAR(mesh.thickness_of(t), 0.00202, 1e-15);
+    const auto& [a, b, c] = mesh.corners(t);
+    const Vec3 u = kite.nodes[b] - kite.nodes[a], v = kite.nodes[c] - kite.nodes[a];
+    EXPECT_NEAR(u.cross(v)[2], 4, 1e-14);  // the same way round as before
+  }
+  EXPECT_NEAR(mesh.total_area(), 4, 1e-14);
+  EXPECT_NEAR(mesh.total_volume(), 2 * 0.002 + 2 * 0.00204, 1e-15);
+}
+
+TEST(ShellMesh, FoldsAndStepsOfTheWallStay) {
+  Shell kite{{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}, {0.002, 0.003}, {}, {}};
+  EXPECT_EQ(ShellMesh(kite).turned_edges(), 0u);
+  kite.thickness[1] = 0.002;
+  kite.nodes[3][2] = 0.1;
+  EXPECT_EQ(ShellMesh(kite).turned_edges(), 0u);
+}
+
 }  // namespace
 }  // namespace fiberfate

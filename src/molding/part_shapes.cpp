@@ -1,5 +1,5 @@
 // Draws plaques, discs, frames, ribbed plates and the tailgate.
-#include "studies/molding/part_shapes.hpp"
+#include "molding/part_shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +76,7 @@ Gate pin_gate(const Vec2& at, double radius) {
 }
 
 /// Puts the gate of a rectangle of length L and width W: the film of an edge or fan, or a pin.
-void add_gate(const PartChoices& part, Drawing& drawing, Patch& plate, std::vector<Gate>& gates) {
+void add_gate(const PartOutline& part, Drawing& drawing, Patch& plate, std::vector<Gate>& gates) {
   const double length = *part.length, width = *part.width;
   const double opening = std::min(part.gate_width.value_or(width), width);
   const double low = 0.5 * (width - opening), high = 0.5 * (width + opening);
@@ -103,7 +103,7 @@ void add_gate(const PartChoices& part, Drawing& drawing, Patch& plate, std::vect
 }
 
 /// Lists the outline of a rectangle with the ends of the gate's film on its edge.
-std::vector<Vec3> gated_rectangle(const PartChoices& part) {
+std::vector<Vec3> gated_rectangle(const PartOutline& part) {
   const double length = *part.length, width = *part.width;
   std::vector<Vec3> outline = {{0, 0, 0}, {length, 0, 0}, {length, width, 0}, {0, width, 0}};
   if (part.gate == PartGate::edge && part.gate_width && *part.gate_width < width) {
@@ -114,7 +114,7 @@ std::vector<Vec3> gated_rectangle(const PartChoices& part) {
   return outline;
 }
 
-PartShape draw_rectangle(const PartChoices& part) {
+PartShape draw_rectangle(const PartOutline& part) {
   PartShape shape;
   Drawing drawing(part.mesh_size);
   Patch plate = drawing.patch("plate", gated_rectangle(part));
@@ -131,7 +131,7 @@ PartShape draw_rectangle(const PartChoices& part) {
 }
 
 /// Draws upright ribs along x on a plate, evenly spaced across it.
-PartShape draw_ribbed(const PartChoices& part) {
+PartShape draw_ribbed(const PartOutline& part) {
   PartShape shape;
   Drawing drawing(part.mesh_size);
   Patch plate = drawing.patch("plate", gated_rectangle(part));
@@ -149,7 +149,7 @@ PartShape draw_ribbed(const PartChoices& part) {
   return shape;
 }
 
-PartShape draw_disc(const PartChoices& part) {
+PartShape draw_disc(const PartOutline& part) {
   PartShape shape;
   Drawing drawing(part.mesh_size);
   const double radius = 0.5 * *part.diameter;
@@ -198,7 +198,7 @@ Vec3 bend_tailgate(const Vec3& at, double bend_begin) {
   return {at.x(), place.y(), -place.x()};
 }
 
-PartShape draw_tailgate(const PartChoices& part) {
+PartShape draw_tailgate(const PartOutline& part) {
   const double window_width = tailgate_width - 2 * window_margin;
   const double area = *part.volume / *part.thickness + cut_area(window_width, window_height, window_chamfer);
   const double height = (area + 2 * tailgate_chamfer * tailgate_chamfer) / tailgate_width;
@@ -231,7 +231,7 @@ std::vector<Gate> tailgate_gates(double radius) {
   return gates;
 }
 
-PartShape draw_part(const PartChoices& part) {
+PartShape draw_part(const PartOutline& part) {
   switch (part.kind) {
     case PartKind::disc:
       return draw_disc(part);
