@@ -66,7 +66,8 @@ struct SampleCase {
 
 /// Adds the keys of [fibers], [fibers.length_histogram], [matrix], [cell] and [cluster].
 void describe_sample(KeyTable& table, SampleCase& sample);
-/// Adds the keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
+/// Adds the keys of [contact] that a packing at rest obeys too: the law of the normal force and its
+/// constants.
 void describe_contact_law(KeyTable& table, ContactParameters& contact);
 
 /// Tells the materials of all kinds.

@@ -1,4 +1,6 @@
 // Describes the keys of the fibers at the start.
+#include "fibers/contact_laws/contact_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/sample/case.hpp"
 
 namespace fiberfate {
@@ -165,13 +167,15 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
 }
 
 void describe_contact_law(KeyTable& table, ContactParameters& contact) {
-  table.quantity(
-      "contact.force_constant", contact.force_constant,
-      {.text = "A in the normal force F = A D exp(-B (d/a - 2)) between rods of diameter D = 2a whose axes "
-               "are d apart (the thesis' excluded volume force constant). 0 switches contact off.",
-       .unit = "N/m",
-       .range = Range::between(0, 1e6),
-       .source = "thesis equation 3.14 and table 4 (250, 500, 750)"});
+  describe_law_name(table, "contact.law", contact.law, contact_laws(),
+                    {.text = "The normal force between rods that touch."});
+  table.quantity("contact.force_constant", contact.force_constant,
+                 {.text = "A of law \"exponential\", the normal force F = A D exp(-B (d/a - 2)) between rods "
+                          "of diameter D = 2a whose axes "
+                          "are d apart (the thesis' excluded volume force constant). 0 switches contact off.",
+                  .unit = "N/m",
+                  .range = Range::between(0, 1e6),
+                  .source = "thesis equation 3.14 and table 4 (250, 500, 750)"});
   table.quantity(
       "contact.decay", contact.decay,
       {.text = "B in the same.", .range = Range::between(0, 100), .source = "thesis section 3.3.3"});
@@ -186,6 +190,10 @@ void describe_contact_law(KeyTable& table, ContactParameters& contact) {
        .unit = "m",
        .friendly = "um",
        .range = Range::positive(1e-3)});
+  table.quantity("contact.poisson_ratio", contact.poisson_ratio,
+                 {.text = "Poisson's ratio of the fibers, for law \"hertz\".",
+                  .range = {-1, 0.5, Range::Ends::open_low},
+                  .source = "E glass"});
 }
 
 }  // namespace fiberfate

@@ -1,4 +1,9 @@
 // Describes the keys of the study shear_cell.
+#include "dynamics/breakage_laws/breakage_registry.hpp"
+#include "dynamics/drag_laws/drag_registry.hpp"
+#include "dynamics/friction_laws/friction_registry.hpp"
+#include "dynamics/hinge_laws/hinge_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/shear_cell/case.hpp"
 
 namespace fiberfate {
@@ -48,8 +53,10 @@ void describe_flow(KeyTable& table, FlowChoices& flow) {
 void describe_contact(KeyTable& table, ContactParameters& contact) {
   table.section("contact", "The forces between fibers that touch.");
   describe_contact_law(table, contact);
+  describe_law_name(table, "contact.friction_law", contact.friction_law, friction_laws(),
+                    {.text = "The friction between rods, and between rods and walls."});
   table.quantity("contact.friction", contact.friction,
-                 {.text = "Coefficient of Coulomb friction between rods.", .range = Range::between(0, 10)});
+                 {.text = "Coefficient of friction between rods.", .range = Range::between(0, 10)});
   table.quantity("contact.wall_friction", contact.wall_friction,
                  {.text = "Coefficient of friction between rods and walls.", .range = Range::between(0, 10)});
   table.quantity("contact.slip_velocity", contact.slip_velocity,
@@ -63,14 +70,7 @@ void describe_contact(KeyTable& table, ContactParameters& contact) {
 
 void describe_breakage(KeyTable& table, BreakageParameters& breakage) {
   table.section("breakage", "When a fiber breaks at a hinge between two rods.");
-  table.choice("breakage.law", breakage.law,
-               {{BreakageLaw::none, "none", "fibers do not break"},
-                {BreakageLaw::fixed, "fixed", "where the radius of curvature is below critical_radius"},
-                {BreakageLaw::probability, "probability",
-                 "at every check with a probability that rises from maximum_radius to minimum_radius"},
-                {BreakageLaw::strength, "strength",
-                 "each hinge at a radius of its own, drawn once from the same distribution"}},
-               {.text = "The criterion.", .source = "thesis section 3.3.3"});
+  describe_law_name(table, "breakage.law", breakage.law, breakage_laws(), {.text = "The criterion."});
   table.quantity(
       "breakage.critical_radius", breakage.critical_radius,
       {.text = "Radius of curvature below which law \"fixed\" breaks; the default is the mean of the loop "
@@ -194,12 +194,10 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values) {
        {Boundary::walls, "walls", "solid walls that move with the flow at y = 0 and at the far side"}},
       {.text = "How the cell ends in the direction of the gradient; in x and z it is periodic."});
   table.section("drag", "The force of the melt on a rod.");
-  table.choice("drag.law", values.dynamics.drag,
-               {{DragLaw::beads, "beads", "a chain of touching beads, their number a real one"},
-                {DragLaw::beads_integer, "beads_integer",
-                 "whole beads only, as in the published program; for comparison"},
-                {DragLaw::ellipsoid, "ellipsoid", "a prolate spheroid"}},
-               {.text = "The law of drag.", .source = "thesis equations 3.4 to 3.9; Kim and Karrila 1991"});
+  describe_law_name(table, "drag.law", values.dynamics.drag, drag_laws(), {.text = "The law of drag."});
+  table.section("hinge", "The resistance of a fiber to bending.");
+  describe_law_name(table, "hinge.law", values.dynamics.hinge, hinge_laws(),
+                    {.text = "The moment at a hinge between two rods."});
   describe_contact(table, values.dynamics.contact);
   describe_breakage(table, values.dynamics.breakage);
   describe_step(table, values.dynamics.step);

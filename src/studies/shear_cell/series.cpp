@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "dynamics/breakage_laws/breakage_registry.hpp"
 #include "dynamics/dissipation.hpp"
 #include "fibers/observables.hpp"
 
@@ -63,7 +64,7 @@ ContactStatistics measure_contacts(Simulation& simulation) {
 
 /// Power that drag dissipates in a volume of the cell, W/m³; unknown before the first step has told how
 /// fibers move.
-double drag_power(DragLaw law, const FiberState& state, const Flow& flow) {
+double drag_power(const std::string& law, const FiberState& state, const Flow& flow) {
   if (state.step == 0) return std::numeric_limits<double>::quiet_NaN();
   return drag_dissipation(state, flow, law) / state.cell.volume();
 }
@@ -126,8 +127,8 @@ std::vector<double> break_row(const BreakEvent& event) {
 }
 
 double critical_radius(const BreakageParameters& breakage) {
-  const bool drawn = breakage.law == BreakageLaw::probability || breakage.law == BreakageLaw::strength;
-  return drawn ? breakage.minimum_radius : breakage.critical_radius;
+  const double certain = breakage_law_named(breakage.law).certain_radius(breakage);
+  return certain > 0 ? certain : breakage.critical_radius;
 }
 
 double shear_strain(const FlowHistory& flow, double time) {

@@ -20,8 +20,8 @@ namespace fiberfate {
 [[nodiscard]] std::vector<std::string> break_columns();
 [[nodiscard]] std::vector<double> break_row(const BreakEvent& event);
 
-/// Radius of curvature that counts as critical: that of the law `fixed`, or the one below which the other
-/// laws break every hinge, m.
+/// Radius of curvature that counts as critical: the one below which the law breaks every hinge; without
+/// breakage critical_radius, m.
 [[nodiscard]] double critical_radius(const BreakageParameters& breakage);
 
 /// Shear strain from the start until `time`, the integral of the rate.
