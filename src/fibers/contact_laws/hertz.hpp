@@ -11,7 +11,7 @@ namespace fiberfate {
 /// Crossed cylinders of radius a whose axes, at the angle alpha, are nearer than 2a by the overlap delta:
 ///   F_N = (4/3) E* sqrt(a) delta^(3/2) / sin(alpha)^(3/4),   1/E* = (1 − nu²)/E_1 + (1 − nu²)/E_2
 /// exact at right angles; elsewhere the power of the sine stands for the elliptic integrals of Hertz'
-/// solution, within 5.5 % from 90 down to 5 degrees.
+/// solution, within 5 % from 90 down to 5 degrees.
 ///
 /// Towards parallel rods the patch grows into a line whose length the fibers set, which a force at one point
 /// cannot tell: below 5.7 degrees sin alpha counts as 0.1. That keeps the force bounded and steady through

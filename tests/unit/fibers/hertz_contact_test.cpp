@@ -60,12 +60,12 @@ TEST(HertzContact, GrowsWithThePowerThreeHalves) {
     EXPECT_NEAR(force_at(4e-7, sine) / force_at(1e-7, sine), 8, 1e-6);
 }
 
-// The power of the sine stands for elliptic integrals; the worst of it, at about 14 degrees, is 5.2 %.
+// The power of the sine stands for elliptic integrals; the worst of it, at about 17 degrees, is 5.0 %.
 TEST(HertzContact, FollowsHertzAtAnyAngleDownToFiveDegrees) {
-  for (const double k : {0.999, 0.8, 0.6, 0.4, 0.3, 0.2, 0.15, 0.1, 0.07, 0.05, 0.03, 0.025}) {
+  for (const double k : {0.999, 0.8, 0.6, 0.4, 0.3, 0.2, 0.15, 0.1, 0.07, 0.05, 0.03}) {
     const HertzPatch patch = theory_of_patch(k, 0.02 * radius / k);
     ASSERT_GT(patch.sine, 0.1);
-    EXPECT_NEAR(force_at(patch.overlap, patch.sine), patch.force, 0.055 * patch.force) << patch.sine;
+    EXPECT_NEAR(force_at(patch.overlap, patch.sine), patch.force, 0.0505 * patch.force) << patch.sine;
   }
 }
 
