@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/command_line.hpp"
+#include "app/thread_waiting.hpp"
 
 namespace {
 
@@ -22,5 +23,6 @@ int main(int argument_count, char** arguments) {
   open_closed_streams();
   // A file that grows beyond its limit becomes an error of the write instead of a signal.
   std::signal(SIGXFSZ, SIG_IGN);
+  fiberfate::let_waiting_threads_sleep(arguments);
   return fiberfate::run_command_line(argument_count, arguments);
 }

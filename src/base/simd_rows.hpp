@@ -2,7 +2,7 @@
 // lie side by side. For kernels only (base/simd.hpp).
 #pragma once
 
-#if defined(__AVX2__)
+#if defined(FIBERFATE_ISA) && defined(__AVX2__)
 #include <immintrin.h>
 #endif
 

@@ -1,10 +1,7 @@
 // Draws and carries out breaks.
 #include "dynamics/breakage.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "base/random.hpp"
+#include "dynamics/breakage_laws/breakage_registry.hpp"
 
 namespace fiberfate {
 namespace {
@@ -15,7 +12,24 @@ struct Worst {
   double radius = 0;
 };
 
-Worst worst_breaking_hinge(const FiberState& state, const DynamicsParameters& parameters, Index fiber) {
+/// Tells whether a hinge breaks at the state's present check.
+class HingeCheck {
+ public:
+  HingeCheck(const FiberState& state, const DynamicsParameters& parameters)
+      : law_(breakage_law_named(parameters.breakage.law)),
+        parameters_(parameters),
+        check_(state.breakage_checks) {}
+  [[nodiscard]] bool breaks(const HingeName& name, double radius) const {
+    return law_.breaks(parameters_.breakage, {radius, name, check_, parameters_.seed});
+  }
+
+ private:
+  const BreakageRow& law_;
+  const DynamicsParameters& parameters_;
+  std::int64_t check_;
+};
+
+Worst worst_breaking_hinge(const FiberState& state, const HingeCheck& check, Index fiber) {
   Worst worst;
   const auto f = static_cast<std::size_t>(fiber);
   for (Index k = state.begin_node(fiber) + 1; k + 1 < state.end_node(fiber); ++k) {
@@ -24,7 +38,7 @@ Worst worst_breaking_hinge(const FiberState& state, const DynamicsParameters& pa
     if (worst.node >= 0 && radius >= worst.radius) continue;
     const auto offset = static_cast<std::uint32_t>(k - state.begin_node(fiber));
     const HingeName hinge{state.birth_id[f], state.birth_node[f] + offset};
-    if (breaks(parameters, hinge, state.breakage_checks, radius)) worst = {k, radius};
+    if (check.breaks(hinge, radius)) worst = {k, radius};
   }
   return worst;
 }
@@ -41,44 +55,12 @@ BreakEvent event_of(const FiberState& state, Index fiber, const Worst& worst) {
 
 }  // namespace
 
-double break_probability(const BreakageParameters& parameters, double radius) {
-  const double x = std::clamp(
-      (parameters.maximum_radius - radius) / (parameters.maximum_radius - parameters.minimum_radius), 0.0,
-      1.0);
-  return std::expm1(parameters.exponent * x) / std::expm1(parameters.exponent);
-}
-
-double critical_radius(const BreakageParameters& parameters, double u) {
-  const double x = std::log1p(u * std::expm1(parameters.exponent)) / parameters.exponent;
-  return parameters.maximum_radius - x * (parameters.maximum_radius - parameters.minimum_radius);
-}
-
-bool breaks(const DynamicsParameters& parameters, const HingeName& hinge, std::int64_t check, double radius) {
-  const BreakageParameters& law = parameters.breakage;
-  switch (law.law) {
-    case BreakageLaw::none:
-      return false;
-    case BreakageLaw::fixed:
-      return radius < law.critical_radius;
-    case BreakageLaw::probability: {
-      if (radius >= law.maximum_radius) return false;
-      const RandomCounter counter{hinge.birth_id, hinge.birth_node, static_cast<std::uint32_t>(check)};
-      return uniform(parameters.seed, RandomStream::breakage, counter) < break_probability(law, radius);
-    }
-    case BreakageLaw::strength: {
-      if (radius >= law.maximum_radius) return false;
-      const RandomCounter counter{hinge.birth_id, hinge.birth_node, 0};
-      return radius < critical_radius(law, uniform(parameters.seed, RandomStream::hinge_strength, counter));
-    }
-  }
-  return false;
-}
-
 void check_breakage(FiberState& state, const DynamicsParameters& parameters,
                     std::vector<BreakEvent>& events) {
+  const HingeCheck check(state, parameters);
   std::vector<Index> nodes;
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    const Worst worst = worst_breaking_hinge(state, parameters, fiber);
+    const Worst worst = worst_breaking_hinge(state, check, fiber);
     if (worst.node < 0) continue;
     nodes.push_back(worst.node);
     events.push_back(event_of(state, fiber, worst));

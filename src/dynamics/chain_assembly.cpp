@@ -68,21 +68,23 @@ void add_pairs(const ChainProblem& problem, const ChainGroup& group, const doubl
 
 }  // namespace
 
-void assemble_group(const ChainProblem& problem, const ChainGroup& group, const double* rods,
-                    ChainSystem& system) {
+void assemble_group(const ChainProblem& problem, const ChainFibers& fibers, ChainSystem& system) {
+  const ChainGroup& group = fibers.group;
   const Mat3 strain_rate = problem.flow.rate_of_strain();
   const AssemblyQuery query{system.record(0),
                             problem.state.position[0].data(),
                             problem.geometry[0].data(),
-                            rods,
+                            fibers.rods,
                             problem.flow.gradient.data(),
                             strain_rate.data(),
                             problem.flow.viscosity,
                             problem.step,
-                            problem.is_anisotropic};
+                            fibers.is_anisotropic,
+                            fibers.hinge.law(),
+                            fibers.hinge.constants().data()};
   if (problem.pairs != nullptr) system.slots().collect(*problem.pairs, group);
   assemble_chains(query, group);
-  if (problem.pairs != nullptr) add_pairs(problem, group, rods, system);
+  if (problem.pairs != nullptr) add_pairs(problem, group, fibers.rods, system);
   if (!problem.loads.is_empty()) add_rod_loads(problem.loads, group, system);
 }
 

@@ -7,7 +7,7 @@ namespace fiberfate {
 
 struct ChainProblem;
 class ChainSystem;
-class PairForces;
+class Hinge;
 
 /// Names eight fibers that are solved side by side, with what their lanes need. Plain numbers, because
 /// kernels of several instruction sets share it. A lane without a fiber repeats lane 0, of which it uses
@@ -50,10 +50,19 @@ struct AssemblyQuery {
   double viscosity;           ///< Pa s
   double step;                ///< s
   bool is_anisotropic;        ///< whether parallel and perpendicular drag may differ
+  int hinge;                  ///< law of bending: its place in HingeLaws
+  const double* hinge_constants;
 };
 
-/// Assembles drag, bending and loads of a group, whose rods have these numbers (RodNumber).
-void assemble_group(const ChainProblem& problem, const ChainGroup& group, const double* rods,
-                    ChainSystem& system);
+/// Names what is assembled: eight fibers, their rods' numbers (RodNumber), and how they resist.
+struct ChainFibers {
+  const ChainGroup& group;
+  const double* rods;
+  const Hinge& hinge;
+  bool is_anisotropic;  ///< whether parallel and perpendicular drag may differ
+};
+
+/// Assembles drag, bending and loads of a group.
+void assemble_group(const ChainProblem& problem, const ChainFibers& fibers, ChainSystem& system);
 
 }  // namespace fiberfate

@@ -1,7 +1,9 @@
-// Assembles drag and bending of eight fibers side by side; ElasticHinge is the specification of bending.
+// Assembles drag and bending of eight fibers side by side.
+#include "base/pack_math.hpp"
 #include "base/simd_rows.hpp"
 #include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
+#include "dynamics/hinge_laws/hinge_laws.hpp"
 
 namespace fiberfate::FIBERFATE_ISA {
 
@@ -58,29 +60,6 @@ struct Reader {
     return __builtin_convertvector(read_indices(group.used) > k, Mask);
   }
 };
-
-/// arcsin(h)/h for y = h² in [0, 1]: the rational approximation of the C library (Sun fdlibm, e_asin.c) up to
-/// h = 1/2, beyond by arcsin(h) = pi/2 − 2 arcsin sqrt((1 − h)/2).
-FIBERFATE_INLINE Pack arcsine_ratio_below_half(const Pack& y) {
-  const Pack p = y * (1.66666666666666657415e-01 +
-                      y * (-3.25565818622400915405e-01 +
-                           y * (2.01212532134862925881e-01 +
-                                y * (-4.00555345006794114027e-02 +
-                                     y * (7.91534994289814532176e-04 + y * 3.47933107596021167570e-05)))));
-  const Pack q = 1.0 + y * (-2.40339491173441421878e+00 +
-                            y * (2.02094576023350569471e+00 +
-                                 y * (-6.88283971605453293030e-01 + y * 7.70381505559019352791e-02)));
-  return 1.0 + p / q;
-}
-FIBERFATE_INLINE Pack arcsine_ratio(const Pack& y) {
-  const Mask sharp = y > 0.25;
-  if (to_bits(sharp) == 0) return arcsine_ratio_below_half(y);
-  const Pack h = square_root(y);
-  const Pack z = 0.5 * (1.0 - h);
-  const Pack ratio = arcsine_ratio_below_half(choose(sharp, z, y));
-  const Pack folded = (1.57079632679489661923 - 2.0 * square_root(z) * ratio) / h;
-  return choose(sharp, folded, ratio);
-}
 
 FIBERFATE_INLINE Pack rod_number(const AssemblyQuery& query, RodNumber number, int k) {
   return load(query.rods + offset_of(number, k));
@@ -154,16 +133,23 @@ FIBERFATE_INLINE void add_excess(double* record, const RodPart& before, const Ro
   add_dyad_to_coupling(record, after.excess, after.direction);
 }
 
-/// Adds the hinge between the rods k − 1 and k to the records of its three nodes.
-FIBERFATE_INLINE void add_hinge(const AssemblyQuery& query, const Reader& read, const Pack& bending, int k,
-                                const Triple* x, const Pack* inverse_length) {
-  const Mask there = read.has_rod(k);
-  const Pack before = inverse_length[0];
-  const Pack after = inverse_length[1];
+/// Holds three nodes in a row, and the inverse lengths of the rods between them.
+struct Bend {
+  Triple x[3];
+  Pack inverse_length[2];
+};
+
+/// Adds the hinge between the rods k − 1 and k to the records of its three nodes; `bending` is E I.
+template <class Law>
+FIBERFATE_INLINE void add_hinge(const AssemblyQuery& query, const Law& law, const Pack& bending, int k,
+                                const Mask& there, const Bend& bend) {
+  const Triple* x = bend.x;
+  const Pack before = bend.inverse_length[0];
+  const Pack after = bend.inverse_length[1];
   const Pack gamma[3] = {before, -before - after, after};
   const Triple turn = before * (x[0] - x[1]) + after * (x[2] - x[1]);
   const Pack y = smaller(0.25 * dot(turn, turn), broadcast(0.999 * 0.999));
-  const Pack ratio = arcsine_ratio(y) / square_root(1.0 - y);
+  const Pack ratio = law(y);
   const Pack stiffness =
       choose(there, bending * 2.0 * before * after / (before + after) * ratio, broadcast(0));
   const Pack implicit = query.step * stiffness;
@@ -177,6 +163,31 @@ FIBERFATE_INLINE void add_hinge(const AssemblyQuery& query, const Reader& read, 
   add_to_coupling(record, implicit * gamma[0] * gamma[1]);
   add_to_coupling(record + System::size * lanes, implicit * gamma[1] * gamma[2]);
   add_to(part(record, System::second), implicit * gamma[0] * gamma[2]);
+}
+
+template <class Law>
+void add_hinges(const AssemblyQuery& query, const Reader& read) {
+  const ChainGroup& group = read.group;
+  const Law law = same_law<Law>(query.hinge_constants);
+  const Pack bending = load(group.bending_stiffness);
+  const Pack zero = broadcast(0);
+  Bend bend = {{{zero, zero, zero}, read.vectors(query.position, 0), read.vectors(query.position, 1)},
+               {zero, 1.0 / rod_number(query, RodNumber::length, 0)}};
+  for (int k = 1; k + 1 < group.nodes; ++k) {
+    bend.x[0] = bend.x[1];
+    bend.x[1] = bend.x[2];
+    bend.x[2] = read.vectors(query.position, k + 1);
+    bend.inverse_length[0] = bend.inverse_length[1];
+    bend.inverse_length[1] = 1.0 / rod_number(query, RodNumber::length, k);
+    add_hinge(query, law, bending, k, read.has_rod(k), bend);
+  }
+}
+
+template <template <class> class... Laws>
+FIBERFATE_INLINE void add_hinges_by_law(HingeLawList<Laws...>, const AssemblyQuery& query,
+                                        const Reader& read) {
+  int number = 0;
+  ((query.hinge == number++ ? add_hinges<Laws<PackMath>>(query, read) : void()), ...);
 }
 
 }  // namespace
@@ -199,17 +210,7 @@ void assemble_chains(const AssemblyQuery& query, const ChainGroup& group) {
     before = after;
     here = next;
   }
-  const Pack bending = load(group.bending_stiffness);
-  Triple x[3] = {none, read.vectors(query.position, 0), read.vectors(query.position, 1)};
-  Pack inverse_length[2] = {zero, 1.0 / rod_number(query, RodNumber::length, 0)};
-  for (int k = 1; k + 1 < group.nodes; ++k) {
-    x[0] = x[1];
-    x[1] = x[2];
-    x[2] = read.vectors(query.position, k + 1);
-    inverse_length[0] = inverse_length[1];
-    inverse_length[1] = 1.0 / rod_number(query, RodNumber::length, k);
-    add_hinge(query, read, bending, k, x, inverse_length);
-  }
+  add_hinges_by_law(HingeLaws{}, query, read);
 }
 
 #undef FIBERFATE_INLINE

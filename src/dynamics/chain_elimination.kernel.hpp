@@ -88,6 +88,7 @@ FIBERFATE_INLINE Symmetric inverse(const Factor& f) {
   return {a.x, b.y, c.z, c.y, c.x, b.x};
 }
 
+/// Subtracts Mᵀ W, which is symmetric: W solves with a symmetric matrix for M.
 FIBERFATE_INLINE void subtract_gram(Symmetric& s, const Block& m, const Block& w) {
   s.xx -= dot(m.a, w.a);
   s.yy -= dot(m.b, w.b);
@@ -97,6 +98,7 @@ FIBERFATE_INLINE void subtract_gram(Symmetric& s, const Block& m, const Block& w
   s.xy -= dot(m.a, w.b);
 }
 
+/// Subtracts g hᵀ, h a multiple of g.
 FIBERFATE_INLINE void subtract_square(Symmetric& s, const Column& g, const Column& h) {
   s.xx -= g.x * h.x;
   s.yy -= g.y * h.y;
@@ -106,7 +108,7 @@ FIBERFATE_INLINE void subtract_square(Symmetric& s, const Column& g, const Colum
   s.xy -= g.x * h.y;
 }
 
-/// Subtracts Mᵀ (f S) from a full block by columns, S symmetric.
+/// Mᵀ v, M by columns.
 FIBERFATE_INLINE Column transposed_times(const Block& m, const Column& v) {
   return {dot(m.a, v), dot(m.b, v), dot(m.c, v)};
 }

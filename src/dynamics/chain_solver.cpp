@@ -6,6 +6,7 @@
 
 #include "base/kernels.hpp"
 #include "base/threads.hpp"
+#include "dynamics/drag_laws/drag_registry.hpp"
 
 namespace fiberfate {
 
@@ -34,7 +35,8 @@ ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {
 
 }  // namespace
 
-void ChainSolver::arrange(const FiberState& state, DragLaw drag) {
+void ChainSolver::arrange(const FiberState& state, const ChainLaws& laws) {
+  hinge_ = Hinge(laws.hinge);
   groups_.clear();
   share_begin_.assign(1, 0);
   const int shares = thread_count();
@@ -43,7 +45,7 @@ void ChainSolver::arrange(const FiberState& state, DragLaw drag) {
                  static_cast<Index>(share_begin(state.first_node, share + 1, shares)));
     share_begin_.push_back(groups_.size());
   }
-  arrange_rods(state, unit_drag_of_rods(state, drag));
+  arrange_rods(state, unit_drag_of_rods(state, laws.drag));
 }
 
 /// Groups the fibers from `begin` to `end`, the longest ones first.
@@ -58,6 +60,8 @@ void ChainSolver::group_fibers(const FiberState& state, Index begin, Index end) 
 }
 
 void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag) {
+  is_anisotropic_ =
+      std::ranges::any_of(drag, [](const RodDrag& rod) { return rod.parallel != rod.perpendicular; });
   int count = 0;
   for (ChainGroup& group : groups_) {
     group.first_rods = count;
@@ -89,7 +93,7 @@ void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
 void ChainSolver::solve_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system,
                               const ChainSolution& solution) {
   system.reserve(group.nodes);
-  assemble_group(problem, group, rods_of(group), system);
+  assemble_group(problem, {group, rods_of(group), hinge_, is_anisotropic_}, system);
   eliminate(system, group.nodes);
   for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
     for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {
@@ -102,13 +106,15 @@ void ChainSolver::solve_group(const ChainProblem& problem, const ChainGroup& gro
   }
 }
 
-std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, DragLaw law) {
+std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, std::string_view law) {
+  const DragRow& row = drag_law_named(law);
   std::vector<RodDrag> drag(static_cast<std::size_t>(state.node_count()));
   for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
     const double radius = state.material(fiber).radius;
+    const double whole = fiber_length(state, fiber);
     for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
       const auto n = static_cast<std::size_t>(k);
-      drag[n] = rod_drag(law, 1.0, {state.rod_length[n], radius});
+      drag[n] = row.drag(1.0, {state.rod_length[n], radius, whole});
     }
   }
   return drag;

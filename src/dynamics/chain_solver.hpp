@@ -3,12 +3,15 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/threads.hpp"
 #include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
-#include "dynamics/drag.hpp"
+#include "dynamics/drag_laws/rod_drag.hpp"
+#include "dynamics/hinge_laws/hinge_registry.hpp"
 #include "dynamics/pair_forces.hpp"
 #include "dynamics/rod_loads.hpp"
 #include "fibers/flow.hpp"
@@ -25,7 +28,12 @@ struct ChainProblem {
   double step = 0;                           ///< over which bending is implicit, s; 0 makes it explicit
   const PairForces* pairs = nullptr;         ///< forces between rods, linearised about ...
   std::span<const Vec3> pair_velocity = {};  ///< ... these velocities w, m/s
-  bool is_anisotropic = true;                ///< whether the drag along a rod may differ from that across it
+};
+
+/// Names the laws by which fibers resist.
+struct ChainLaws {
+  std::string drag = "beads";     ///< a row of drag_laws()
+  std::string hinge = "elastic";  ///< a row of hinge_laws()
 };
 
 /// Receives the solution. Spans with one entry a node.
@@ -43,7 +51,7 @@ class ChainSolver {
  public:
   /// Groups the fibers of a state by rod count and works out their drag; call again whenever fibers have been
   /// added or split.
-  void arrange(const FiberState& state, DragLaw drag);
+  void arrange(const FiberState& state, const ChainLaws& laws);
   void solve(const ChainProblem& problem, ChainSolution solution);
 
  private:
@@ -56,6 +64,8 @@ class ChainSolver {
     return rods_.data() + std::ptrdiff_t{group.first_rods} * RodNumber::rod_numbers * ChainSystem::lanes;
   }
 
+  Hinge hinge_{ChainLaws{}.hinge};
+  bool is_anisotropic_ = false;  ///< whether some rod's drag along it differs from that across
   std::vector<ChainGroup> groups_;
   AlignedArray rods_;  ///< RodNumber, group after group
   /// First group of each thread's share: fibers are shared as everywhere, so that what a thread steps stays
@@ -66,6 +76,6 @@ class ChainSolver {
 
 /// Evaluates the drag of every rod for a viscosity of 1 Pa s; one entry a node, rods stand at their first
 /// node.
-[[nodiscard]] std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, DragLaw law);
+[[nodiscard]] std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, std::string_view law);
 
 }  // namespace fiberfate

@@ -10,8 +10,9 @@ namespace fiberfate {
 
 /// Holds, for eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
 /// tensions:
-///   diagonal_k w_k + coupling_{k-1}ᵀ w_{k-1} + coupling_k w_{k+1} + second_k (w_{k+2}, w_{k-2}) − p_k λ_k +
-///   p_{k−1} λ_{k−1} = load_k p_k · (w_{k+1} − w_k) + regular_k λ_k = stretch_k
+///   diagonal_k w_k + coupling_{k−1}ᵀ w_{k−1} + coupling_k w_{k+1} + second_{k−2} w_{k−2} + second_k w_{k+2}
+///       − p_k λ_k + p_{k−1} λ_{k−1} = load_k
+///   p_k · (w_{k+1} − w_k) + regular_k λ_k = stretch_k
 /// Diagonal blocks are symmetric: xx, yy, zz, yz, zx, xy; couplings are stored by columns. A node of a lane
 /// that has fewer nodes is an identity with no load. The storage is plain doubles, [node][component][lane],
 /// because kernels of several instruction sets share it.

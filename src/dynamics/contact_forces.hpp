@@ -1,7 +1,6 @@
 // Evaluates the forces of contacts in packs.
 #pragma once
 
-#include "dynamics/contact_law.hpp"
 #include "dynamics/contact_set.hpp"
 #include "dynamics/pair_forces.hpp"
 
@@ -14,9 +13,12 @@ struct ForceQuery {
   const double* relative_velocity;  ///< w of the last solve, m/s
   const double* strain_rate;        ///< D by columns, 1/s
   double step;                      ///< s
-  Friction friction;
-  const NormalForce::Constants* laws;  ///< by pair of materials
+  int law;                          ///< of the normal force: its place in ContactLaws
+  const double* laws;               ///< its constants, by pair of materials
+  int law_stride;                   ///< from the constants of one pair to those of the next
   int materials;
+  int friction;  ///< law of friction: its place in FrictionLaws
+  const double* friction_constants;
 };
 
 /// Evaluates the force of every contact of a chunk, in order, with the kernel of this processor.

@@ -1,7 +1,10 @@
-// Evaluates contacts eight at a time; NormalForce and Friction are the specification.
+// Evaluates contacts eight at a time.
+#include "base/pack_math.hpp"
 #include "base/simd_rows.hpp"
 #include "dynamics/contact_arrays.hpp"
 #include "dynamics/contact_forces.hpp"
+#include "dynamics/friction_laws/friction_laws.hpp"
+#include "fibers/contact_laws/contact_laws.hpp"
 
 namespace fiberfate::FIBERFATE_ISA {
 
@@ -14,42 +17,27 @@ FIBERFATE_INLINE Pack read(const double* from) {
   return *reinterpret_cast<const Unaligned*>(from);
 }
 
-/// Holds the law of each lane.
-struct LawPack {
-  Pack strength, decay, touch, cutoff, ramp, step;
-};
-
-FIBERFATE_INLINE LawPack same_law(const NormalForce::Constants& law) {
-  return {broadcast(law.strength), broadcast(law.decay), broadcast(law.touch),
-          broadcast(law.cutoff),   broadcast(law.ramp),  broadcast(law.step)};
-}
-
-FIBERFATE_INLINE LawPack laws_of(const ContactArrays& contacts, const ForceQuery& query, int i) {
-  LawPack pack = same_law(query.laws[0]);
+/// Gives every lane the law of its pair of materials.
+template <class Law>
+FIBERFATE_INLINE Law law_of_pairs(const ContactArrays& contacts, const ForceQuery& query, int i) {
+  Law law = same_law<Law>(query.laws);
   for (int lane = 0; lane < lanes && i + lane < contacts.count; ++lane) {
-    const NormalForce::Constants& law =
-        query.laws[contacts.first_material[i + lane] * query.materials + contacts.second_material[i + lane]];
-    pack.strength[lane] = law.strength;
-    pack.decay[lane] = law.decay;
-    pack.touch[lane] = law.touch;
-    pack.cutoff[lane] = law.cutoff;
-    pack.ramp[lane] = law.ramp;
-    pack.step[lane] = law.step;
+    const int pair = contacts.first_material[i + lane] * query.materials + contacts.second_material[i + lane];
+    set_lane(law, lane, query.laws + query.law_stride * pair);
   }
-  return pack;
-}
-
-FIBERFATE_INLINE Pack normal_force(const LawPack& law, const Pack& distance) {
-  const Pack rise = law.step * (0.5 - (distance - law.cutoff) / law.ramp);
-  const Pack exponential = law.strength * exponential_of(-law.decay * (distance - law.touch));
-  const Pack lesser = choose(distance < law.cutoff - law.ramp, exponential, smaller(rise, exponential));
-  return larger(choose(distance > law.cutoff - 0.4 * law.ramp, rise, lesser), broadcast(0));
+  return law;
 }
 
 /// Holds how each lane's rod moves at its place s: the velocity relative to the fluid, and what its turning
-/// adds there, in the direction n away from the axis and for each unit of distance.
+/// adds there, in the direction n away from the axis and for each unit of distance; and how the rod lies.
 struct SkinMotion {
-  Triple velocity, turning;
+  Triple velocity, turning, direction;
+};
+
+/// Holds the forces of eight contacts, as PairForce has them.
+struct ForcePack {
+  Triple force, normal;
+  Pack s, t, distance, along, across;
 };
 
 /// With q = (w_{i+1} − w_i)/l + D·p the rod turns at p × q relative to the fluid's rotation, and
@@ -73,16 +61,39 @@ FIBERFATE_INLINE SkinMotion motion_at(const ForceQuery& query, const Index* rods
   const Pack inverse_length = 1.0 / square_root(dot(axis, axis));
   const Triple p = inverse_length * axis;
   const Triple q = inverse_length * change + transform(query.strain_rate, p);
-  return {w + s * change, dot(p, n) * q - dot(q, n) * p};
+  return {w + s * change, dot(p, n) * q - dot(q, n) * p, p};
 }
 
-}  // namespace
+/// Sine of the angle between two unit vectors.
+FIBERFATE_INLINE Pack sine_between(const Triple& p, const Triple& q) {
+  const Pack cosine = dot(p, q);
+  return square_root(larger(1.0 - cosine * cosine, broadcast(0)));
+}
 
-void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, PairForce* forces) {
-  const LawPack one_law = same_law(query.laws[0]);
-  const double slip2 = query.friction.slip_velocity * query.friction.slip_velocity;
+FIBERFATE_INLINE void store_forces(const ContactArrays& contacts, int i, const ForcePack& from,
+                                   PairForce* forces) {
+  for (int lane = 0; lane < lanes && i + lane < contacts.count; ++lane) {
+    PairForce& to = forces[i + lane];
+    to.force[0] = from.force.x[lane];
+    to.force[1] = from.force.y[lane];
+    to.force[2] = from.force.z[lane];
+    to.normal[0] = from.normal.x[lane];
+    to.normal[1] = from.normal.y[lane];
+    to.normal[2] = from.normal.z[lane];
+    to.s = from.s[lane];
+    to.t = from.t[lane];
+    to.distance = from.distance[lane];
+    to.along = from.along[lane];
+    to.across = from.across[lane];
+  }
+}
+
+template <class Law, class FrictionLaw>
+void evaluate(const ContactArrays& contacts, const ForceQuery& query, PairForce* forces) {
+  const Law one_law = same_law<Law>(query.laws);
+  const FrictionLaw friction_law = same_law<FrictionLaw>(query.friction_constants);
   for (int i = 0; i < contacts.count; i += lanes) {
-    const LawPack law = query.materials == 1 ? one_law : laws_of(contacts, query, i);
+    const Law law = query.materials == 1 ? one_law : law_of_pairs<Law>(contacts, query, i);
     const Pack s = read(contacts.s + i), t = read(contacts.t + i);
     const Pack distance = read(contacts.distance + i);
     const Triple n = {read(contacts.normal[0] + i), read(contacts.normal[1] + i),
@@ -96,32 +107,39 @@ void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, Pai
     const Pack approach = dot(n, relative);
     const Triple slip = relative - approach * n;
 
-    const Pack predicted = distance + query.step * approach;
-    const Pack force = normal_force(law, predicted);
-    const Pack friction = query.friction.coefficient * force / square_root(dot(slip, slip) + slip2);
-    // Pairs about to close are held like closed ones, or they would overshoot the ramp within a step.
-    const Mask near = predicted < law.cutoff + 1.5 * law.ramp;
-    const Pack stiffness = choose(near, larger(law.step / law.ramp, law.decay * force), broadcast(0));
-    const Triple on_first = force * n - friction * slip;
-    const Pack along = 2.0 * query.step * stiffness;
-    const Pack across = 2.0 * friction;
-    for (int lane = 0; lane < lanes && i + lane < contacts.count; ++lane) {
-      PairForce& to = forces[i + lane];
-      to.force[0] = on_first.x[lane];
-      to.force[1] = on_first.y[lane];
-      to.force[2] = on_first.z[lane];
-      to.normal[0] = n.x[lane];
-      to.normal[1] = n.y[lane];
-      to.normal[2] = n.z[lane];
-      to.s = s[lane];
-      to.t = t[lane];
-      to.distance = distance[lane];
-      to.along = along[lane];
-      to.across = across[lane];
-      to.first = contacts.first[i + lane];
-      to.second = contacts.second[i + lane];
-    }
+    const ContactGap<Pack> gap = {distance + query.step * approach,
+                                  sine_between(first.direction, second.direction)};
+    const Pack force = law(gap);
+    const Pack friction = friction_law(force, dot(slip, slip));
+    const Pack stiffness = law.stiffness(gap, force);
+    store_forces(
+        contacts, i,
+        {force * n - friction * slip, n, s, t, distance, 2.0 * query.step * stiffness, 2.0 * friction},
+        forces);
   }
+}
+
+template <class Law, template <class> class... FrictionLaws>
+FIBERFATE_INLINE void choose_friction(FrictionLawList<FrictionLaws...>, const ContactArrays& contacts,
+                                      const ForceQuery& query, PairForce* forces) {
+  int number = 0;
+  ((query.friction == number++ ? evaluate<Law, FrictionLaws<PackMath>>(contacts, query, forces) : void()),
+   ...);
+}
+
+template <template <class> class... Laws>
+FIBERFATE_INLINE void choose_law(ContactLawList<Laws...>, const ContactArrays& contacts,
+                                 const ForceQuery& query, PairForce* forces) {
+  int number = 0;
+  ((query.law == number++ ? choose_friction<Laws<PackMath>>(FrictionLaws{}, contacts, query, forces)
+                          : void()),
+   ...);
+}
+
+}  // namespace
+
+void evaluate_forces(const ContactArrays& contacts, const ForceQuery& query, PairForce* forces) {
+  choose_law(ContactLaws{}, contacts, query, forces);
 }
 
 #undef FIBERFATE_INLINE

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "base/threads.hpp"
 #include "dynamics/contact_forces.hpp"
@@ -10,10 +11,12 @@
 namespace fiberfate {
 
 ContactLoads::ContactLoads(const ContactParameters& parameters, const FiberState& state)
-    : parameters_(parameters), materials_(state.materials.size()) {
+    : friction_(parameters, parameters.friction),
+      wall_friction_(parameters, parameters.wall_friction),
+      materials_(state.materials.size()) {
   for (const FiberMaterial& first : state.materials) {
     for (const FiberMaterial& second : state.materials) {
-      laws_.emplace_back(parameters, 0.5 * (first.radius + second.radius));
+      laws_.emplace_back(parameters, ContactPair{contact_body(first), contact_body(second)});
       constants_.push_back(laws_.back().constants());
     }
   }
@@ -21,7 +24,7 @@ ContactLoads::ContactLoads(const ContactParameters& parameters, const FiberState
 
 double ContactLoads::range() const {
   double range = 0;
-  for (const NormalForce& law : laws_) range = std::max(range, law.reach() + parameters_.ramp);
+  for (const NormalForce& law : laws_) range = std::max(range, law.hold());
   return range;
 }
 
@@ -31,7 +34,7 @@ void ContactLoads::arrange(const ContactSet& contacts, const FiberState& state) 
 }
 
 void ContactLoads::arrange_walls(const FiberState& state) {
-  walls_ = parameters_.force_constant > 0 ? find_wall_contacts(state) : std::vector<WallContact>();
+  walls_ = range() > 0 ? find_wall_contacts(state) : std::vector<WallContact>();
   if (walls_.empty() && claims_.empty()) return;
   claims_.clear();
   for (std::size_t w = 0; w < walls_.size(); ++w) claims_.push_back({walls_[w].rod, w});
@@ -44,9 +47,12 @@ void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& conte
                          context.relative_velocity[0].data(),
                          strain_rate.data(),
                          context.step,
-                         {parameters_.friction, parameters_.slip_velocity},
-                         constants_.data(),
-                         static_cast<int>(materials_)};
+                         laws_[0].law(),
+                         constants_[0].data(),
+                         static_cast<int>(std::tuple_size_v<LawNumbers>),
+                         static_cast<int>(materials_),
+                         friction_.law(),
+                         friction_.constants().data()};
   parallel_for_weighted(pairs_.chunk_begin(), [&](std::ptrdiff_t c) {
     const auto i = static_cast<std::size_t>(c);
     evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin()[i]);
@@ -65,7 +71,7 @@ double ContactLoads::largest_normal_force() const {
 }
 
 RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& context) const {
-  // The wall acts like the fiber's own mirror image: axes twice the height apart.
+  // The wall acts like the fiber's own mirror image, crossed at right angles: axes twice the height apart.
   const NormalForce& law = laws_[wall.material * (materials_ + 1)];
   const Vec3& n = wall.normal;
   const Vec3 w = context.relative_velocity[static_cast<std::size_t>(wall.node)];
@@ -75,9 +81,8 @@ RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& cont
 
   const double predicted = 2 * (wall.height + context.step * approach);
   const double force = law(predicted);
-  const double friction =
-      Friction{parameters_.wall_friction, parameters_.slip_velocity}(force, slip.squaredNorm());
-  const double stiffness = predicted < law.reach() + parameters_.ramp ? 2 * law.stiffness(force) : 0;
+  const double friction = wall_friction_(force, slip.squaredNorm());
+  const double stiffness = 2 * law.stiffness({predicted, 1}, force);
   // The wall's velocity is known, so its term needs no bound of a coupled one.
   const double normal = stiffness * context.step;
   const double excess = normal - friction;

@@ -4,11 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "dynamics/contact_law.hpp"
 #include "dynamics/contact_set.hpp"
+#include "dynamics/friction_laws/friction_registry.hpp"
 #include "dynamics/pair_forces.hpp"
 #include "dynamics/rod_loads.hpp"
 #include "dynamics/wall_search.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
 #include "fibers/flow.hpp"
 #include "fibers/state.hpp"
 
@@ -47,17 +48,19 @@ class ContactLoads {
   [[nodiscard]] const RodLoads& walls() const { return wall_loads_; }
   /// Largest normal force of a contact of rods, N.
   [[nodiscard]] double largest_normal_force() const;
-  /// Predicted distance of axes below which two rods act on each other (those about to close included), m.
+  /// Predicted distance of axes below which two rods act on each other (those about to close included), m;
+  /// 0 where they never do.
   [[nodiscard]] double range() const;
 
  private:
   void arrange_walls(const FiberState& state);
   [[nodiscard]] RodLoad wall_load(const WallContact& wall, const LoadContext& context) const;
 
-  ContactParameters parameters_;
+  Friction friction_;
+  Friction wall_friction_;
   std::size_t materials_ = 0;
   std::vector<NormalForce> laws_;  // by pair of materials
-  std::vector<NormalForce::Constants> constants_;
+  std::vector<LawNumbers> constants_;
   PairForces pairs_;
   std::vector<WallContact> walls_;
   std::vector<RodLoads::Claim> claims_;  // one a wall contact

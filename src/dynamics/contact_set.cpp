@@ -25,21 +25,6 @@ void ContactChunk::reserve(int contacts) {
   image.resize(2 * room, 0);
 }
 
-void ContactChunk::add(const Contact& contact) {
-  const auto i = static_cast<std::size_t>(count++);
-  first[i] = contact.first;
-  second[i] = contact.second;
-  image[i] = contact.image;
-  first_material[i] = contact.first_material;
-  second_material[i] = contact.second_material;
-  s[i] = contact.s;
-  t[i] = contact.t;
-  normal_x[i] = contact.normal.x();
-  normal_y[i] = contact.normal.y();
-  normal_z[i] = contact.normal.z();
-  distance[i] = contact.distance;
-}
-
 void ContactChunk::add(const SegmentBlock& block, int pairs) {
   const ContactColumns to = {
       first.data() + count,   second.data() + count,

@@ -33,8 +33,6 @@ struct ContactChunk {
   void clear() { count = 0; }
   /// Makes room for so many contacts.
   void reserve(int contacts);
-  /// Adds a contact; there must be room.
-  void add(const Contact& contact);
   /// Adds those of `pairs` measured pairs that are near; axes that cross have their normal for separation,
   /// and the block leaves a contact's materials to be filled in. There must be room.
   void add(const SegmentBlock& block, int pairs);

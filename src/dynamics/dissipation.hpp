@@ -1,8 +1,10 @@
 // Gives the power that the fibers' drag dissipates in the melt.
 #pragma once
 
+#include <string_view>
+
 #include "base/vector.hpp"
-#include "dynamics/drag.hpp"
+#include "dynamics/drag_laws/rod_drag.hpp"
 #include "fibers/flow.hpp"
 #include "fibers/state.hpp"
 
@@ -20,14 +22,11 @@ struct RodMotion {
 ///   P = F·(u − v) + T·(Omega − omega) + S:D
 ///     = slip·Z·slip + c_r [|spin|² + 2 Lambda spin·(p × D·p)]
 ///       + s_0 (p·D·p)² + s_1 |D·p − p p·D·p|² + s_2 [D:D − 2 |D·p|² + (p·D·p)²/2]
-/// never negative. Beads of real-valued number m: s_0 = s_1 = 6 pi eta a S2, s_2 = 0 (a bead is a point to
-/// the strain). Ellipsoid: s_0, s_1, s_2 = 10, 40/3, 20/3 times pi eta (l/2)³ times X^M, Y^M, Z^M of Kim &
-/// Karrila (1991), table 3.4 and (5.8) to (5.13).
-[[nodiscard]] double rod_dissipation(DragLaw law, double viscosity, const RodShape& rod,
-                                     const RodMotion& motion);
+/// never negative; s_0, s_1, s_2 are the drag's resistances to strain.
+[[nodiscard]] double rod_dissipation(const RodDrag& drag, const RodMotion& motion);
 
-/// Sums it over all rods, with the velocities of the last step, W. Neglects what friction between rods turns
-/// into heat (ContactStatistics::friction_power).
-[[nodiscard]] double drag_dissipation(const FiberState& state, const Flow& flow, DragLaw law);
+/// Sums it over all rods under a law of drag, with the velocities of the last step, W. Neglects what friction
+/// between rods turns into heat (ContactStatistics::friction_power).
+[[nodiscard]] double drag_dissipation(const FiberState& state, const Flow& flow, std::string_view law);
 
 }  // namespace fiberfate

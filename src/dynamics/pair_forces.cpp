@@ -11,7 +11,7 @@ namespace fiberfate {
 namespace {
 
 std::int64_t key_of(Index other, std::int32_t image) {
-  return static_cast<std::int64_t>(other) << 24 | image;
+  return static_cast<std::int64_t>(other) << 30 | image;
 }
 
 }  // namespace

@@ -27,8 +27,6 @@ struct PairForce {
   double distance;   ///< of the axes, m
   double along;      ///< N s/m
   double across;     ///< N s/m
-  Index first;
-  Index second;
 };
 
 /// Holds the forces of all contacts, and for every rod its shares of them.

@@ -60,18 +60,18 @@ FIBERFATE_INLINE Shares read_shares(const PairLoadQuery& query, const Index* num
     force[lane] = from.force;
     normal[lane] = from.normal;
     places[lane] = &from.s;
-    held[lane] = &from.along;  // the third number that is read there is not used
+    held[lane] = &from.distance;
   }
   const Mask is_second = __builtin_convertvector(read_indices(numbers) & 1, Mask) != 0;
   const Triple at = read_triples(places);
-  const Triple resistance = read_triples(held);
+  const Triple resistance = read_triples(held);  // distance, along, across
   return {read_triples(force),
           read_triples(normal),
           choose(is_second, broadcast(-1), broadcast(1)),
           choose(is_second, at.y, at.x),
           at.z,
-          resistance.x,
-          resistance.y};
+          resistance.y,
+          resistance.z};
 }
 
 FIBERFATE_INLINE void add(double* record, int component, const Pack& value) {

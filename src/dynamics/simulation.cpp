@@ -1,17 +1,22 @@
 // Steps a population of fibers: neighbours, loads, solve, trial, accept or shrink, breakage.
 #include "dynamics/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "dynamics/breakage.hpp"
+#include "dynamics/breakage_laws/breakage_registry.hpp"
 #include "dynamics/chain_solver.hpp"
 #include "dynamics/contact_loads.hpp"
 #include "dynamics/contact_search.hpp"
 #include "dynamics/motion.hpp"
+#include "dynamics/simulable.hpp"
 #include "dynamics/step_control.hpp"
 #include "fibers/neighbour_list.hpp"
 
@@ -28,18 +33,19 @@ constexpr double shared_speed = 0.5;
 constexpr double least_margin = 1.0;
 constexpr double most_margin = 3.0;
 
-void require_simulable(const FiberState& state) {
-  if (state.fiber_count() == 0) throw InputError("there are no fibers", "ask for at least one");
-  for (const FiberMaterial& material : state.materials) {
-    if (!(material.radius > 0)) throw InputError("a fiber's radius is not positive", "give its diameter");
-  }
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    const double diameter = state.material(fiber).diameter();
-    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-      if (state.rod_length[static_cast<std::size_t>(k)] <= 0.999 * diameter)
-        throw InputError("a rod is shorter than its diameter", "cut fibers into fewer, longer rods");
-    }
-  }
+// Fewer rods are stepped faster by one thread than by threads that wait for each other a dozen times a step.
+constexpr std::int64_t rods_a_thread = 1000;
+
+[[nodiscard]] SuitableThreads suitable_threads(const FiberState& state) {
+  return {state.rod_count(), rods_a_thread};
+}
+
+ContactGap<double> gap_of(const FiberState& state, const Contact& contact) {
+  const auto direction = [&](Index rod) -> Vec3 {
+    const auto n = static_cast<std::size_t>(rod);
+    return (state.position[n + 1] - state.position[n]).normalized();
+  };
+  return {contact.distance, direction(contact.first).cross(direction(contact.second)).norm()};
 }
 
 }  // namespace
@@ -47,7 +53,11 @@ void require_simulable(const FiberState& state) {
 /// Holds parameters, state and scratch apart.
 struct Simulation::Parts {
   Parts(const DynamicsParameters& chosen, FlowHistory history, FiberState begin)
-      : parameters(chosen), flow(std::move(history)), state(std::move(begin)), loads(chosen.contact, state) {
+      : parameters(chosen),
+        breakage_law(breakage_law_named(chosen.breakage.law)),
+        flow(std::move(history)),
+        state(std::move(begin)),
+        loads(chosen.contact, state) {
     if (state.step_size <= 0) state.step_size = parameters.step.initial;
     fit_to_fibers();
   }
@@ -55,7 +65,7 @@ struct Simulation::Parts {
   /// Renews everything that depends on which fibers there are.
   void fit_to_fibers() {
     const auto nodes = static_cast<std::size_t>(state.node_count());
-    solver.arrange(state, parameters.drag);
+    solver.arrange(state, {parameters.drag, parameters.hinge});
     middle.resize(nodes);
     velocity.resize(nodes);
     tension.resize(nodes);
@@ -63,13 +73,14 @@ struct Simulation::Parts {
     list_is_stale = true;
   }
 
-  [[nodiscard]] bool has_contacts() const { return parameters.contact.force_constant > 0; }
+  [[nodiscard]] bool has_contacts() const { return loads.range() > 0; }
+  [[nodiscard]] bool may_break() const { return breakage_law.onset_radius(parameters.breakage) > 0; }
   [[nodiscard]] double next_check() const {
     return static_cast<double>(state.breakage_checks + 1) * parameters.breakage.check_interval;
   }
   [[nodiscard]] double next_event(double until) const {
     const double change = std::min(until, flow.next_change(state.time));
-    return parameters.breakage.law == BreakageLaw::none ? change : std::min(change, next_check());
+    return may_break() ? std::min(change, next_check()) : change;
   }
 
   void find_contacts(const Flow& now, double step);
@@ -82,6 +93,7 @@ struct Simulation::Parts {
 
   // Params
   DynamicsParameters parameters;
+  const BreakageRow& breakage_law;
   FlowHistory flow;
   // State
   FiberState state;
@@ -105,7 +117,9 @@ struct Simulation::Parts {
 };
 
 Simulation::Simulation(const DynamicsParameters& parameters, FlowHistory flow, FiberState state) {
+  require_admissible(parameters);
   require_simulable(state);
+  const SuitableThreads threads = suitable_threads(state);
   parts_ = std::make_unique<Parts>(parameters, std::move(flow), std::move(state));
 }
 Simulation::~Simulation() = default;
@@ -114,6 +128,10 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 StepReport Simulation::advance(double until) {
   Parts& p = *parts_;
+  if (!(until > p.state.time))
+    throw InputError(fmt::format("asked to step to {:g} s, but it is {:g} s already", until, p.state.time),
+                     "ask for a later time");
+  const SuitableThreads threads = suitable_threads(p.state);
   const Flow now = p.flow.at(p.state.time);
   const double event = p.next_event(until);
   StepChoice choice = propose_step(p.parameters.step, p.state.step_size, now, event - p.state.time);
@@ -140,8 +158,7 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
       loads.evaluate(search.contacts(), {state.position, last, now, step});
     }
     const PhaseTimer timer(times, Phase::solve);
-    const ChainProblem problem{state, middle,         loads.walls(), now,
-                               step,  &loads.pairs(), last,          parameters.drag == DragLaw::ellipsoid};
+    const ChainProblem problem{state, middle, loads.walls(), now, step, &loads.pairs(), last};
     solver.solve(problem, {velocity, tension});
     last = velocity;
   }
@@ -196,7 +213,7 @@ void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double
     release_separated_ends(state, loads.range());
     if (tidy_cell(state)) list_is_stale = true;
   }
-  if (parameters.breakage.law == BreakageLaw::none || state.time < next_check()) return;
+  if (!may_break() || state.time < next_check()) return;
   const PhaseTimer timer(times, Phase::breakage);
   const std::int64_t before = state.breaks;
   check_breakage(state, parameters, events);
@@ -231,6 +248,7 @@ ContactStatistics Simulation::contact_statistics() {
   Parts& p = *parts_;
   ContactStatistics statistics;
   if (!p.has_contacts()) return statistics;
+  const SuitableThreads threads = suitable_threads(p.state);
   p.find_contacts(p.flow.at(p.state.time), 0);
   std::vector<double> overlaps;
   for (const ContactChunk& chunk : p.search.contacts()) {
@@ -249,12 +267,11 @@ ContactStatistics Simulation::contact_statistics() {
 /// Takes a contact into the statistics when it carries a force.
 void Simulation::Parts::measure(const Contact& contact, ContactStatistics& statistics,
                                 std::vector<double>& overlaps) const {
-  const double first = state.materials[contact.first_material].radius;
-  const double second = state.materials[contact.second_material].radius;
-  const double mean = 0.5 * (first + second);
-  const double force = NormalForce(parameters.contact, mean)(contact.distance);
+  const ContactPair pair{contact_body(state.materials[contact.first_material]),
+                         contact_body(state.materials[contact.second_material])};
+  const double force = NormalForce(parameters.contact, pair)(gap_of(state, contact));
   if (force <= 0) return;
-  const double overlap = (first + second - contact.distance) / mean;
+  const double overlap = (pair.first.radius + pair.second.radius - contact.distance) / pair.mean_radius();
   overlaps.push_back(overlap);
   statistics.max_overlap = std::max(statistics.max_overlap, overlap);
   statistics.largest_force = std::max(statistics.largest_force, force);

@@ -44,8 +44,9 @@ class Simulation {
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Makes one accepted step, cut so as not to pass `until`, a change of the flow or a breakage check.
-  /// Raises SimulationFailure when no step above the minimum is acceptable or a position is not finite.
+  /// Makes one accepted step, cut so as not to pass `until` (later than now; may be infinite), a change of
+  /// the flow or a breakage check. Raises InputError for a time that is not ahead, SimulationFailure when no
+  /// step above the minimum is acceptable or a position is not finite.
   StepReport advance(double until);
 
   [[nodiscard]] const FiberState& state() const;

@@ -37,6 +37,7 @@ StepChoice propose_step(const StepParameters& parameters, double proposal, const
       choice = {parameters.maximum_strain / rate, StepLimit::strain};
     if (choice.size > parameters.maximum) choice = {parameters.maximum, StepLimit::maximum};
   }
+  if (std::isinf(to_event)) return choice;
   const double steps = std::max(1.0, std::ceil(to_event / choice.size - event_slack));
   if (steps < 1.5 && to_event < choice.size * (1 - event_slack)) choice.limit = StepLimit::event;
   choice.size = to_event / steps;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -30,7 +31,9 @@ FlowHistory::FlowHistory(std::vector<FlowInterval> intervals) : intervals_(std::
   for (const FlowInterval& interval : intervals_) {
     if (!(interval.end_time > before))
       throw InputError("the end times of a flow history do not increase", "sort the rows by end time");
-    if (!(interval.viscosity > 0))
+    if (!std::isfinite(interval.rate))
+      throw InputError("a flow history has a rate that is not finite", "give the shear rate in 1/s");
+    if (!(interval.viscosity > 0) || std::isinf(interval.viscosity))
       throw InputError("a flow history has a viscosity that is not positive",
                        "give the matrix viscosity in Pa s");
     before = interval.end_time;

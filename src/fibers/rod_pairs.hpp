@@ -9,17 +9,24 @@
 
 namespace fiberfate {
 
-/// Packs the three numbers of an image, each in [−128, 127], into one; 0 is the cell itself.
+/// Images farther than this from the cell in any direction cannot be packed.
+inline constexpr int farthest_image = 511;
+
+/// Packs the three numbers of an image, each of at most `farthest_image`, into one of ten bits each; 0 is the
+/// cell itself.
 [[nodiscard]] inline std::int32_t pack_image(const IntVec3& image) {
-  const auto byte = [&](int i) { return static_cast<std::uint32_t>(image[i]) & 0xFFU; };
-  return static_cast<std::int32_t>(byte(0) | byte(1) << 8 | byte(2) << 16);
+  const auto bits = [&](int i) { return static_cast<std::uint32_t>(image[i]) & 0x3FFU; };
+  return static_cast<std::int32_t>(bits(0) | bits(1) << 10 | bits(2) << 20);
+}
+
+/// Tells one number of a packed image. Always inlined, because kernels of several instruction sets call it.
+[[gnu::always_inline]] static inline int image_number(std::int32_t packed, int direction) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(packed) << (22 - 10 * direction)) >> 22;
 }
 
 /// Takes a packed image apart.
 [[nodiscard]] inline IntVec3 unpack_image(std::int32_t packed) {
-  const auto bits = static_cast<std::uint32_t>(packed);
-  const auto number = [bits](int i) { return static_cast<int>(static_cast<std::int8_t>(bits >> (8 * i))); };
-  return {number(0), number(1), number(2)};
+  return {image_number(packed, 0), image_number(packed, 1), image_number(packed, 2)};
 }
 
 /// Lists pairs of a rod and the image of a rod (possibly of itself): struct of arrays.

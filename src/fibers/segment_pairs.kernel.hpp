@@ -10,8 +10,8 @@ namespace {
 static inline __attribute__((always_inline)) Triple shifts_of(const SegmentQuery& query, const Index* which) {
   alignas(64) double turns[3][lanes];
   for (int i = 0; i < lanes; ++i) {
-    const auto packed = static_cast<std::uint32_t>(query.image[which[i]]);
-    for (int d = 0; d < 3; ++d) turns[d][i] = static_cast<std::int8_t>(packed >> (8 * d));
+    const std::int32_t packed = query.image[which[i]];
+    for (int d = 0; d < 3; ++d) turns[d][i] = image_number(packed, d);
   }
   return transform(query.lattice, {load(turns[0]), load(turns[1]), load(turns[2])});
 }

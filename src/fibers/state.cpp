@@ -48,6 +48,8 @@ void append_fiber(FiberState& state, const FiberShape& fiber) {
   if (fiber.material_id >= state.materials.size())
     throw InputError("a fiber has an unknown material", "name one of the materials that are defined");
   for (std::size_t k = 0; k < fiber.nodes.size(); ++k) {
+    if (!fiber.nodes[k].allFinite())
+      throw InputError("a node of a fiber is not finite", "give three numbers, in m");
     const bool last = k + 1 == fiber.nodes.size();
     const double length = last ? 0 : (fiber.nodes[k + 1] - fiber.nodes[k]).norm();
     if (!last && !(length > 0))

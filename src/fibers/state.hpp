@@ -7,6 +7,7 @@
 
 #include "base/vector.hpp"
 #include "fibers/cell.hpp"
+#include "fibers/contact_laws/contact_parameters.hpp"
 
 namespace fiberfate {
 
@@ -20,6 +21,11 @@ struct FiberMaterial {
   /// Bending stiffness E I = E pi a⁴/4, N m².
   [[nodiscard]] double bending_stiffness() const;
 };
+
+/// Tells what the laws of contact need to know of a fiber.
+[[nodiscard]] inline ContactBody contact_body(const FiberMaterial& material) {
+  return {material.radius, material.youngs_modulus};
+}
 
 /// Holds all fibers as struct of arrays.
 ///
@@ -71,7 +77,8 @@ struct FiberShape {
 };
 
 /// Appends a fiber; its rod lengths are the node distances, its birth id the number of fibers before it.
-/// Raises InputError for fewer than two nodes, a rod without length, or an unknown material.
+/// Raises InputError for fewer than two nodes, one that is not finite, a rod without length, or an unknown
+/// material.
 void append_fiber(FiberState& state, const FiberShape& fiber);
 
 /// Length of a fiber: the sum of its rods' lengths, m.

@@ -15,6 +15,23 @@ int floor_divide(int a, int b) {
   return (a >= 0 ? a : a - b + 1) / b;
 }
 
+// Most boxes for each rod: a cell that is nearly empty needs no finer ones.
+constexpr double boxes_a_rod = 64;
+
+/// Number of boxes in each direction that are about `farthest` wide; wider where there would be too many.
+IntVec3 box_count(const Chains& chains, double farthest) {
+  const auto rods = static_cast<double>(chains.position.size() - chains.rod_length.size());
+  Vec3 count;
+  for (int i = 0; i < 3; ++i) count[i] = std::max(1.0, chains.cell.height(i) * refinement / farthest);
+  const double most = boxes_a_rod * std::max(rods, 1.0);
+  for (int i = 0; count.prod() > most && i < 3; ++i) {
+    Eigen::Index widest = 0;
+    const double largest = count.maxCoeff(&widest);
+    count[widest] = std::max({1.0, std::cbrt(most), largest * most / count.prod()});
+  }
+  return count.cast<int>();
+}
+
 /// Largest centre distance of two rods that may be listed.
 double farthest_centres(const Chains& chains, const NeighbourRange& range) {
   double longest = 0, thickest = 0;
@@ -30,11 +47,11 @@ double farthest_centres(const Chains& chains, const NeighbourRange& range) {
 BoxGrid::BoxGrid(const Chains& chains, const NeighbourRange& range)
     : to_fraction_(chains.cell.lattice.inverse()) {
   const double farthest = farthest_centres(chains, range);
+  count_ = box_count(chains, farthest);
   for (int i = 0; i < 3; ++i) {
     const double height = chains.cell.height(i);
     const auto direction = static_cast<std::size_t>(i);
     periodic_[direction] = chains.cell.boundary[direction] == Boundary::periodic;
-    count_[i] = std::max(1, static_cast<int>(height * refinement / farthest));
     span_[i] = static_cast<int>(std::ceil(farthest * count_[i] / height));
     if (periodic_[direction])
       farthest_image_ = std::max(farthest_image_, (span_[i] + count_[i] - 1) / count_[i]);

@@ -163,6 +163,7 @@ BundlePlan plan_bundles(const PackingRequest& request) {
   plan.bundles = request;
   plan.bundles.start = PackingStart::dispersed;
   // Bundles are not what the contact law is of: they need not be at rest under it.
+  plan.bundles.rest.law = "exponential";
   plan.bundles.rest.force_constant = 0;
   plan.bundles.materials.clear();
   plan.bundles.fibers.clear();

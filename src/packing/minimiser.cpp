@@ -75,7 +75,6 @@ void Minimiser::renew_neighbours() {
   loads_.resize(static_cast<std::size_t>(neighbours_.rod_count()));
   listed_position_ = chains_.position;
   lists_valid_ = true;
-  ++rebuilds_;
 }
 
 void Minimiser::add_bending(std::size_t fiber, FiberSums& sums) {

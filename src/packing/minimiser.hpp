@@ -2,7 +2,6 @@
 // orientation.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -53,7 +52,6 @@ class Minimiser {
   }
   /// Lists the rods near the one that begins at this node.
   [[nodiscard]] std::vector<NeighbourRod> near(std::size_t node) const { return neighbours_.of(node); }
-  [[nodiscard]] std::int64_t rebuilds() const { return rebuilds_; }
   /// Brings all rods to their lengths to round-off.
   void finish();
 
@@ -88,7 +86,6 @@ class Minimiser {
   NeighbourRange range_ = {1, 0, 1};
   int list_age_ = 0;
   bool lists_valid_ = false;
-  std::int64_t rebuilds_ = 0;
 
   double step_size_ = 0, largest_step_size_ = 0, mixing_ = 0;
   int downhill_ = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "base/constants.hpp"
@@ -62,23 +63,31 @@ void require_room(const PackingRequest& request) {
   }
 }
 
-/// Uses only as many threads as small packings keep busy: waiting for each other costs more than it saves.
-/// The result is the same for any number.
-class SuitableThreads {
- public:
-  explicit SuitableThreads(const PackingRequest& request) : before_(thread_count()) {
-    std::int64_t rods = 0;
-    for (const FiberBlank& fiber : request.fibers) rods += fiber.rods;
-    use_threads(static_cast<int>(std::min<std::int64_t>(before_, 1 + rods / rods_a_thread)));
-  }
-  ~SuitableThreads() { use_threads(before_); }
-  SuitableThreads(const SuitableThreads&) = delete;
-  SuitableThreads& operator=(const SuitableThreads&) = delete;
+constexpr std::int64_t rods_a_thread = 1000;
 
- private:
-  static constexpr std::int64_t rods_a_thread = 1000;
-  int before_;
-};
+std::int64_t rod_count(const PackingRequest& request) {
+  std::int64_t rods = 0;
+  for (const FiberBlank& fiber : request.fibers) rods += fiber.rods;
+  return rods;
+}
+
+// Straight fibers are packed as one rod, and images are numbered as far as it reaches: 201³ of them take half
+// a gigabyte.
+constexpr double most_cells = 100;
+
+void require_few_images(const PackingRequest& request) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    if (request.cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic)
+      lowest = std::min(lowest, request.cell.height(i));
+  }
+  for (const FiberBlank& fiber : request.fibers) {
+    if (fiber.length > most_cells * lowest)
+      throw InputError(
+          fmt::format("a fiber is {:.4g} times as long as the cell is high", fiber.length / lowest),
+          fmt::format("make the cell larger or the fibers shorter: at most {:g} times", most_cells));
+  }
+}
 
 /// Tells whether a packing at rest is as good as was asked.
 bool may_rest(const PackingReport& rest, const PackingRequest& request) {
@@ -108,7 +117,8 @@ PackingResult pack(const PackingRequest& request,
   require_fibers(request);
   require_tolerances(request);
   require_room(request);
-  const SuitableThreads threads(request);
+  require_few_images(request);
+  const SuitableThreads threads(rod_count(request), rods_a_thread);
 
   Packer packer(request, progress);
   Chains chains = packer.separate();

@@ -10,6 +10,7 @@
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
 #include "packing/bundles.hpp"
 #include "packing/drawn_directions.hpp"
 #include "packing/relief.hpp"
@@ -94,10 +95,22 @@ void resize_cell(Chains& chains, double ratio) {
   }
 }
 
+RestingContact resting_contact(const PackingRequest& request) {
+  ContactBody thickest;
+  for (const FiberBlank& fiber : request.fibers) {
+    const FiberMaterial& material = request.materials[fiber.material_id];
+    if (material.radius > thickest.radius) thickest = contact_body(material);
+  }
+  return contact_law_named(request.rest.law).resting(request.rest, {thickest, thickest});
+}
+
 }  // namespace
 
 Packer::Packer(const PackingRequest& request, const std::function<void(const PackingProgress&)>& progress)
-    : request_(request), progress_(progress), unit_(thickest_diameter(request)) {
+    : request_(request),
+      progress_(progress),
+      unit_(thickest_diameter(request)),
+      rest_(resting_contact(request)) {
   const DrawnDirections drawn = draw_directions(request);
   asked_ = target_ = drawn.asked;
   drawn4_ = drawn.fourth_moment;
@@ -240,7 +253,7 @@ bool Packer::move_overloaded(Chains& chains, Minimiser& minimiser) {
 bool Packer::come_to_rest(Minimiser& minimiser, double mean_radius) {
   PackingEnergy energy = law_energy(1);
   energy.orientation *= relief_hold;
-  energy.repulsion.decay = 2 * request_.rest.decay;
+  energy.repulsion.decay = 2 * rest_.decay;
   relax(minimiser, energy, first_rest_steps, {-1, 0});
   energy.repulsion.hardness = core_hardness;
   energy.repulsion.core = 1 - core_share * request_.overlap_tolerance;
@@ -270,7 +283,7 @@ bool Packer::part(int steps) {
   Minimiser minimiser(straight_, target_);
   PackingEnergy energy = plain_energy();
   // Straight fibers hold no contacts: part them beyond the reach of the contact law where there is room.
-  const double reach = 0.5 * request_.rest.ramp / unit_;
+  const double reach = 0.5 * rest_.ramp / unit_;
   energy.repulsion.reach = 1.5 * reach;
   stage_ = "part";
   const bool parted = relax(minimiser, energy, steps, {request_.overlap_tolerance, unlimited});
@@ -308,7 +321,7 @@ void Packer::ease(Minimiser& minimiser, PackingEnergy energy) {
 }
 
 bool Packer::has_rest_law() const {
-  return request_.rest.force_constant > 0 && request_.rest.ramp > 0;
+  return rest_.force > 0 && rest_.ramp > 0;
 }
 
 PackingEnergy Packer::law_energy(double stress) const {
@@ -321,22 +334,19 @@ PackingEnergy Packer::law_energy(double stress) const {
   double stiffest = 0;
   for (const FiberMaterial& material : request_.materials)
     stiffest = std::max(stiffest, material.bending_stiffness());
-  const RestLaw& law = request_.rest;
-  const double strength = law.force_constant * unit_ * std::exp(-law.decay * (law.cutoff - 2));
-  energy.bending = stress * stiffest * soft_ramp / (strength * unit_ * unit_);
-  energy.repulsion.swelling = law.cutoff / 2;
+  energy.bending = stress * stiffest * soft_ramp / (rest_.force * unit_ * unit_);
+  energy.repulsion.swelling = rest_.cutoff / 2;
   return energy;
 }
 
 void Packer::rest(Chains& chains) {
   if (!has_rest_law()) return;
-  const RestLaw& law = request_.rest;
   PackingEnergy energy = law_energy(1);
-  const double ramp = law.ramp / unit_;
+  const double ramp = rest_.ramp / unit_;
   energy.bending *= ramp / soft_ramp;
   energy.repulsion.reach = 0.5 * ramp;
   energy.repulsion.saturation = ramp;
-  energy.repulsion.decay = 2 * law.decay;
+  energy.repulsion.decay = 2 * rest_.decay;
   stage_ = "rest";
   Minimiser minimiser(chains, target_);
   relax(minimiser, energy, rest_steps, {-1, 0});

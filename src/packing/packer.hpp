@@ -61,6 +61,7 @@ class Packer {
   const std::function<void(const PackingProgress&)>& progress_;
   const char* stage_ = "";
   double unit_;                         ///< thickest diameter, m
+  RestingContact rest_;                 ///< between the thickest fibers
   Mat3 asked_ = Mat3::Identity() / 3;   ///< A2 that the request wants
   Mat3 target_ = Mat3::Identity() / 3;  ///< A2 that is held
   Mat6 drawn4_;

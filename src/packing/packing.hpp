@@ -45,16 +45,6 @@ struct OrientationRequest {
   std::vector<Vec3> directions;  ///< where not empty: dealt to the fibers, and their moment replaces `tensor`
 };
 
-/// Holds the contact law under which the packing comes to rest: the one that will be run
-/// (dynamics/contact_law.hpp): F = min(ramp of that width, centred on d_cut = cutoff a, A D exp(−B (d/a −
-/// 2))), taken for the thickest fiber.
-struct RestLaw {
-  double force_constant = 500;  ///< A, N/m
-  double decay = 2;             ///< B
-  double cutoff = 2;            ///< d_cut in radii
-  double ramp = 1e-6;           ///< m
-};
-
 /// Asks for a packing.
 struct PackingRequest {
   std::vector<FiberMaterial> materials;
@@ -71,7 +61,9 @@ struct PackingRequest {
   double minimum_radius = 0;             ///< smallest radius of curvature wanted, m; 0: as large as comes
   double overlap_tolerance = 0.01;       ///< largest overlap allowed, in diameters
   double orientation_tolerance = 0.005;  ///< largest error allowed in any component of A2
-  RestLaw rest;
+  /// The law of contact under which the packing comes to rest: the one that will be run, taken for the
+  /// thickest fiber (RestingContact).
+  ContactParameters rest;
   int step_limit = 20000;  ///< most minimisation steps before giving up
   std::uint64_t seed = 1;
 };

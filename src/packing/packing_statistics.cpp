@@ -9,6 +9,7 @@
 #include "base/threads.hpp"
 #include "fibers/closest_points.hpp"
 #include "fibers/observables.hpp"
+#include "fibers/state_check.hpp"
 #include "packing/chains.hpp"
 #include "packing/rod_neighbours.hpp"
 
@@ -154,6 +155,7 @@ void measure_curvature(const FiberState& state, PackingReport& report) {
 }  // namespace
 
 PackingReport measure_packing(const FiberState& state, const Mat3& asked) {
+  require_sound(state);
   PackingReport report;
   report.orientation_asked = asked;
   report.orientation_reached = orientation_tensor(state, Weighting::length);

@@ -68,7 +68,7 @@ void Relief::put_straight(std::size_t fiber, const Vec3& centre, const Vec3& dir
 }
 
 void Relief::move() {
-  Vacancies vacancies(chains_.cell);
+  Vacancies vacancies(chains_);
   std::vector<char> moved(chains_.rod_length.size(), 0);
   for (const std::size_t f : found_) moved[f] = 1;
   for (std::size_t f = 0; f < moved.size(); ++f) {

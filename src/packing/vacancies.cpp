@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -29,12 +31,24 @@ std::ptrdiff_t box_of(double place) {
   return static_cast<std::ptrdiff_t>(std::floor(place));
 }
 
+/// Most boxes: those of a cell whose fibers fill a hundredth of it, and some thousands for a few.
+double most_boxes(const Chains& chains) {
+  double length = 0;
+  for (std::size_t f = 0; f < chains.rod_length.size(); ++f)
+    length += chains.rod_length[f] * static_cast<double>(chains.end_node(f) - chains.begin_node(f) - 1);
+  constexpr double boxes_a_length = 0.25 * pi / (0.01 * box_size * box_size * box_size);
+  return 65536 + boxes_a_length * length;
+}
+
 }  // namespace
 
-Vacancies::Vacancies(const Cell& cell) {
+Vacancies::Vacancies(const Chains& chains) {
+  const Cell& cell = chains.cell;
+  const double boxes = cell.volume() / (box_size * box_size * box_size);
+  const double size = box_size * std::max(1.0, std::cbrt(boxes / most_boxes(chains)));
   Vec3 count;
   for (int i = 0; i < 3; ++i) {
-    count[i] = std::max(1.0, std::floor(cell.lattice.col(i).norm() / box_size));
+    count[i] = std::max(1.0, std::floor(cell.lattice.col(i).norm() / size));
     const auto direction = static_cast<std::size_t>(i);
     count_[direction] = static_cast<std::ptrdiff_t>(count[i]);
     walled_[direction] = cell.boundary[direction] != Boundary::periodic;

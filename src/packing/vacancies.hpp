@@ -21,7 +21,8 @@ struct StraightAxis {
 /// than contact with a fiber of the thickest diameter.
 class Vacancies {
  public:
-  explicit Vacancies(const Cell& cell);
+  /// Makes empty boxes for these fibers; where they fill next to nothing, larger ones.
+  explicit Vacancies(const Chains& chains);
   /// Marks what this fiber fills.
   void fill(const Chains& chains, std::size_t fiber);
   /// Share of a line that lies in filled boxes or beyond walls; where it is above `enough`, any share above

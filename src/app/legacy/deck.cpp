@@ -102,7 +102,7 @@ std::string apply_wall_friction(const Translation& deck) {
 
 std::string apply_breakage(const Translation& deck) {
   const bool breaks = *deck.namelist.truth("allow_breakage");
-  deck.values().dynamics.breakage.law = breaks ? BreakageLaw::fixed : BreakageLaw::none;
+  deck.values().dynamics.breakage.law = breaks ? "fixed" : "none";
   return breaks ? "breakage.law = \"fixed\"" : "breakage.law = \"none\"";
 }
 
@@ -157,7 +157,7 @@ std::string apply_drag(const Translation& deck) {
   if (choice != 1 && choice != 2)
     throw InputError({deck.namelist.problem("TensorOrBeads", "only 1 (ellipsoid) and 2 (beads) are known",
                                             "give one of the two")});
-  deck.values().dynamics.drag = choice == 1 ? DragLaw::ellipsoid : DragLaw::beads;
+  deck.values().dynamics.drag = choice == 1 ? "ellipsoid" : "beads";
   return choice == 1
              ? "drag.law = \"ellipsoid\""
              : "drag.law = \"beads\" (\"beads_integer\" rounds the number of beads down as that program did)";

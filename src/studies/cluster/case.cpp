@@ -1,6 +1,8 @@
 // Describes, checks and estimates a case of the study cluster.
 #include "studies/cluster/case.hpp"
 
+#include "fibers/contact_laws/contact_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/sample/estimate.hpp"
 
 namespace fiberfate {
@@ -32,6 +34,7 @@ void describe_cluster(KeyTable& table, ClusterCase& values) {
 
 void validate_cluster(const ClusterCase& values, CaseChecker& checker) {
   validate_sample(values.sample, checker);
+  warn_of_unread_constants("contact.law", contact_laws(), values.contact.law, checker);
   validate_relaxation(values.relaxation, checker);
   if (!checker.is_sound("cluster.source")) return;
   const ClusterSource source = values.sample.cluster.source;

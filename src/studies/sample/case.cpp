@@ -52,7 +52,7 @@ PackingRequest packing_request(const SampleCase& sample, const ContactParameters
   request.minimum_radius = cluster.minimum_radius;
   request.overlap_tolerance = cluster.overlap_tolerance;
   request.orientation_tolerance = cluster.orientation_tolerance;
-  request.rest = {contact.force_constant, contact.decay, contact.cutoff, contact.ramp};
+  request.rest = contact;
   request.step_limit = cluster.step_limit;
   request.seed = seed;
   return request;

@@ -1,4 +1,6 @@
 // The keys of the fibers at the start.
+#include "fibers/contact_laws/contact_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/sample/case.hpp"
 
 namespace fiberfate {
@@ -173,8 +175,9 @@ void describe_sample(KeyTable& table, SampleCase& sample) {
 KeyRows<ContactParameters> contact_law_rows() {
   using Contact = ContactParameters;
   return {
+      law_key("law", &Contact::law, contact_laws(), "The normal force between rods that touch."),
       key("force_constant", &Contact::force_constant, {"N/m"}, Range::between(0, 1e6),
-          "A in the normal force F = A D exp(-B (d/a - 2)) between rods of diameter D = 2a whose axes are d "
+          "A of law \"exponential\", the normal force F = A D exp(-B (d/a - 2)) between rods of diameter D = 2a whose axes are d "
           "apart (the thesis' excluded volume force constant). 0 switches contact off.",
           {}, "thesis equation 3.14 and table 4 (250, 500, 750)"),
       key("decay", &Contact::decay, {}, Range::between(0, 100), "B in the same.", {}, "thesis section 3.3.3"),
@@ -184,6 +187,8 @@ KeyRows<ContactParameters> contact_law_rows() {
       key("ramp", &Contact::ramp, {"m", "um"}, Range::positive(1e-3),
           "Width over which the force rises from nothing at the cutoff, centred on it; a jump would make "
           "contacts chatter."),
+      key("poisson_ratio", &Contact::poisson_ratio, {}, Range{-1, 0.5, Range::Ends::open_low},
+          "Poisson's ratio of the fibers, for law \"hertz\".", {}, "E glass"),
   };
 }
 

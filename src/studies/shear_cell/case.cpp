@@ -7,6 +7,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "dynamics/breakage_laws/breakage_registry.hpp"
+#include "dynamics/friction_laws/friction_registry.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/sample/estimate.hpp"
 
 namespace fiberfate {
@@ -43,30 +47,20 @@ void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
 }
 
 /// Tells whether a law draws the radius at which a hinge breaks.
-bool is_drawn(BreakageLaw law) {
-  return law == BreakageLaw::probability || law == BreakageLaw::strength;
-}
-
 void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
   const BreakageParameters& breakage = values.dynamics.breakage;
   if (!checker.is_sound("breakage.law")) return;
-  const bool drawn = is_drawn(breakage.law);
-  if (breakage.law != BreakageLaw::fixed)
-    checker.warn_unused({"breakage.critical_radius"}, "breakage.law = \"fixed\"");
-  if (!drawn)
-    checker.warn_unused({"breakage.minimum_radius", "breakage.maximum_radius", "breakage.exponent"},
-                        "breakage.law = \"probability\" or \"strength\"");
-  if (breakage.law == BreakageLaw::none)
-    checker.warn_unused({"breakage.check_interval"}, "a law that breaks fibers");
-  if (drawn && breakage.minimum_radius >= breakage.maximum_radius)
+  warn_of_unread_constants("breakage.law", breakage_laws(), breakage.law, checker);
+  const BreakageRow& law = breakage_law_named(breakage.law);
+  const bool scatters = reads_constant(law.text, "maximum_radius");
+  if (scatters && breakage.minimum_radius >= breakage.maximum_radius)
     checker.error("breakage.minimum_radius", "not less than " + checker.cite("breakage.maximum_radius"),
                   "give the radius of certain breakage as minimum_radius, the one of none as maximum_radius");
-  const double breaking =
-      breakage.law == BreakageLaw::fixed ? breakage.critical_radius : breakage.maximum_radius;
+  const double onset = law.onset_radius(breakage);
   const double tightest = values.sample.fibers.rod_length.value_or(0) / 2;
-  if (breakage.law != BreakageLaw::none && breaking < tightest)
+  if (onset > 0 && onset < tightest)
     checker.warn(
-        drawn ? "breakage.maximum_radius" : "breakage.critical_radius",
+        scatters ? "breakage.maximum_radius" : "breakage.critical_radius",
         fmt::format("nothing can break: rods of this length cannot bend below {:.4g} um", 1e6 * tightest),
         "shorten fibers.rod_length");
 }
@@ -110,8 +104,12 @@ void validate_output(const ShearCellCase& values, CaseChecker& checker) {
 }
 
 void validate_contact(const ShearCellCase& values, CaseChecker& checker) {
+  const ContactParameters& contact = values.dynamics.contact;
+  warn_of_unread_constants("contact.law", contact_laws(), contact.law, checker);
+  warn_of_unread_constants("contact.friction_law", friction_laws(), contact.friction_law, checker);
   const double diameter = values.sample.fibers.diameter;
-  if (diameter > 0 && values.dynamics.contact.ramp > diameter)
+  if (checker.is_sound("contact.law") && reads_constant(contact_law_named(contact.law).text, "ramp") &&
+      diameter > 0 && contact.ramp > diameter)
     checker.error("contact.ramp", "wider than a fiber, " + checker.cite("fibers.diameter"),
                   "about 1 um is usual");
   if (values.boundary.y == Boundary::periodic)
@@ -181,7 +179,8 @@ double shear_strain(const FlowHistory& flow, double time) {
 }
 
 double critical_radius(const BreakageParameters& breakage) {
-  return is_drawn(breakage.law) ? breakage.minimum_radius : breakage.critical_radius;
+  const double certain = breakage_law_named(breakage.law).certain_radius(breakage);
+  return certain > 0 ? certain : breakage.critical_radius;
 }
 
 double series_interval(const ShearCellCase& values) {

@@ -51,9 +51,6 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values);
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_shear_cell(const ShearCellCase& values);
 
-/// The laws that a case may choose, with their names.
-[[nodiscard]] const Choices<DragLaw>& drag_laws();
-[[nodiscard]] const Choices<BreakageLaw>& breakage_laws();
 
 /// Gathers what the motion of fibers takes, with the seed of the run.
 [[nodiscard]] DynamicsParameters dynamics_parameters(const ShearCellCase& values);

@@ -1,4 +1,9 @@
 // The keys of the study shear_cell.
+#include "dynamics/breakage_laws/breakage_registry.hpp"
+#include "dynamics/drag_laws/drag_registry.hpp"
+#include "dynamics/friction_laws/friction_registry.hpp"
+#include "dynamics/hinge_laws/hinge_registry.hpp"
+#include "keys/law_keys.hpp"
 #include "studies/shear_cell/case.hpp"
 
 namespace fiberfate {
@@ -47,15 +52,22 @@ KeyGroup<BoundaryChoices> boundary_keys() {
 KeyGroup<DynamicsParameters> drag_keys() {
   return {"drag",
           "The force of the melt on a rod.",
-          {key("law", &DynamicsParameters::drag, drag_laws(), "The law of drag.",
-               "thesis equations 3.4 to 3.9; Kim and Karrila 1991")}};
+          {law_key("law", &DynamicsParameters::drag, drag_laws(), "The law of drag.")}};
+}
+
+KeyGroup<DynamicsParameters> hinge_keys() {
+  return {"hinge",
+          "The resistance of a fiber to bending.",
+          {law_key("law", &DynamicsParameters::hinge, hinge_laws(),
+                   "The moment at a hinge between two rods.")}};
 }
 
 KeyGroup<ContactParameters> contact_keys() {
   using Contact = ContactParameters;
   const KeyRows<Contact> friction = {
-      key("friction", &Contact::friction, {}, Range::between(0, 10),
-          "Coefficient of Coulomb friction between rods."),
+      law_key("friction_law", &Contact::friction_law, friction_laws(),
+              "The friction between rods, and between rods and walls."),
+      key("friction", &Contact::friction, {}, Range::between(0, 10), "Coefficient of friction between rods."),
       key("wall_friction", &Contact::wall_friction, {}, Range::between(0, 10),
           "Coefficient of friction between rods and walls."),
       key("slip_velocity", &Contact::slip_velocity, {"m/s"}, Range::positive(1),
@@ -72,7 +84,7 @@ KeyGroup<BreakageParameters> breakage_keys() {
   return {"breakage",
           "When a fiber breaks at a hinge between two rods.",
           {
-              key("law", &Breakage::law, breakage_laws(), "The criterion.", "thesis section 3.3.3"),
+              law_key("law", &Breakage::law, breakage_laws(), "The criterion."),
               key("critical_radius", &Breakage::critical_radius, {"m", "um"}, Range::positive(1),
                   "Radius of curvature below which law \"fixed\" breaks; the default is the mean of the loop "
                   "tests.",
@@ -142,26 +154,6 @@ KeyGroup<OutputChoices> output_keys() {
 
 }  // namespace
 
-const Choices<DragLaw>& drag_laws() {
-  static const Choices<DragLaw> laws = {
-      {DragLaw::beads, "beads", "a chain of touching beads, their number a real one"},
-      {DragLaw::beads_integer, "beads_integer",
-       "whole beads only, as in the published program; for comparison"},
-      {DragLaw::ellipsoid, "ellipsoid", "a prolate spheroid"}};
-  return laws;
-}
-
-const Choices<BreakageLaw>& breakage_laws() {
-  static const Choices<BreakageLaw> laws = {
-      {BreakageLaw::none, "none", "fibers do not break"},
-      {BreakageLaw::fixed, "fixed", "where the radius of curvature is below critical_radius"},
-      {BreakageLaw::probability, "probability",
-       "at every check with a probability that rises from maximum_radius to minimum_radius"},
-      {BreakageLaw::strength, "strength",
-       "each hinge at a radius of its own, drawn once from the same distribution"}};
-  return laws;
-}
-
 void describe_shear_cell(KeyTable& table, ShearCellCase& values) {
   const KeyGroup<RunChoices> run = {"run",
                                     "How long, with which random numbers, on how many threads.",
@@ -171,6 +163,7 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values) {
   describe(table, flow_keys(), values.flow);
   describe(table, boundary_keys(), values.boundary);
   describe(table, drag_keys(), values.dynamics);
+  describe(table, hinge_keys(), values.dynamics);
   describe(table, contact_keys(), values.dynamics.contact);
   describe(table, breakage_keys(), values.dynamics.breakage);
   describe(table, step_keys(), values.dynamics.step);

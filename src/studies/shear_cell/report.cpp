@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/law_choice.hpp"
+#include "dynamics/breakage_laws/breakage_registry.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run.hpp"
@@ -24,12 +27,22 @@ void append_flow(std::vector<Fact>& facts, const FlowChoices& flow) {
 }
 
 void append_breakage(std::vector<Fact>& facts, const BreakageParameters& breakage) {
-  facts.push_back({"Breakage", name_of(breakage_laws(), breakage.law)});
-  if (breakage.law == BreakageLaw::fixed) facts.push_back({"Critical radius", breakage.critical_radius, "m"});
-  if (breakage.law == BreakageLaw::probability || breakage.law == BreakageLaw::strength) {
-    facts.push_back({"Every hinge breaks at radius", breakage.minimum_radius, "m"});
-    facts.push_back({"No hinge breaks above radius", breakage.maximum_radius, "m"});
+  facts.push_back({"Breakage", breakage.law});
+  const BreakageRow& law = breakage_law_named(breakage.law);
+  const double certain = law.certain_radius(breakage), onset = law.onset_radius(breakage);
+  if (onset == 0) return;
+  if (certain == onset) {
+    facts.push_back({"Critical radius", certain, "m"});
+    return;
   }
+  facts.push_back({"Every hinge breaks at radius", certain, "m"});
+  facts.push_back({"No hinge breaks above radius", onset, "m"});
+}
+
+void append_contact(std::vector<Fact>& facts, const ContactParameters& contact) {
+  facts.push_back({"Contact", contact.law});
+  if (reads_constant(contact_law_named(contact.law).text, "force_constant"))
+    facts.push_back({"Contact force constant", contact.force_constant, "N/m"});
 }
 
 FactsSection asked(const ShearCellCase& values) {
@@ -38,8 +51,8 @@ FactsSection asked(const ShearCellCase& values) {
   section.rows.push_back({"Duration", values.run.duration, "s"});
   section.rows.push_back(
       {"Boundary in y", std::string(values.boundary.y == Boundary::walls ? "walls" : "periodic")});
-  section.rows.push_back({"Drag", name_of(drag_laws(), values.dynamics.drag)});
-  section.rows.push_back({"Contact force constant", values.dynamics.contact.force_constant, "N/m"});
+  section.rows.push_back({"Drag", values.dynamics.drag});
+  append_contact(section.rows, values.dynamics.contact);
   section.rows.push_back({"Friction coefficient", values.dynamics.contact.friction});
   append_breakage(section.rows, values.dynamics.breakage);
   section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});

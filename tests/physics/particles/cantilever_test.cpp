@@ -32,7 +32,7 @@ std::vector<Vec3> solve(const FiberState& state, const std::vector<Load>& forces
   Flow rest;
   rest.viscosity = scenes::melt_viscosity;
   ChainSolver solver;
-  solver.arrange(state, DragLaw::beads);
+  solver.arrange(state, {});
   solver.solve({state, state.position, loads, rest, step}, {velocity, tension});
   return velocity;
 }

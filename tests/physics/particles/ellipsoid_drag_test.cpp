@@ -1,7 +1,7 @@
 // A rod with the resistance of a prolate spheroid turns, moves and settles as the spheroid does.
 #include <gtest/gtest.h>
 
-#include "dynamics/drag.hpp"
+#include "dynamics/drag_laws/ellipsoid.hpp"
 #include "jeffery_orbit.hpp"
 #include "physics/record.hpp"
 
@@ -15,7 +15,7 @@ TEST(EllipsoidDrag, TurnsWithTheSpheroidsOwnAspectRatio) {
   for (const double aspect_ratio : {2.0, 10.0, 50.0}) {
     const double length = 2 * scenes::glass.radius * aspect_ratio;
     DynamicsParameters parameters = scenes::lone_and_fixed_step(0.01 / rate);
-    parameters.drag = DragLaw::ellipsoid;
+    parameters.drag = "ellipsoid";
     Simulation simulation(
         parameters, FlowHistory::constant(rate, scenes::melt_viscosity),
         scenes::lone_fiber(scenes::nodes_of({.direction = Vec3(0, 1, 0.7), .length = length})));
@@ -30,7 +30,8 @@ TEST(EllipsoidDrag, TurnsWithTheSpheroidsOwnAspectRatio) {
 /// has 6 pi eta R and 8 pi eta R³.
 TEST(EllipsoidDrag, TendsToStokesDragOfASphere) {
   const double radius = 1e-5;
-  const RodDrag drag = EllipsoidDrag{1.0}({.length = 2 * radius * 1.001, .radius = radius});
+  const RodDrag drag =
+      EllipsoidDrag{1.0}({.length = 2 * radius * 1.001, .radius = radius, .fiber_length = 0});
   EXPECT_NEAR(drag.parallel, 6 * pi * radius, 1e-3 * drag.parallel);
   EXPECT_NEAR(drag.perpendicular, 6 * pi * radius, 1e-3 * drag.perpendicular);
   EXPECT_NEAR(drag.rotational, 8 * pi * std::pow(radius, 3), 3e-3 * drag.rotational);
@@ -44,7 +45,7 @@ TEST(EllipsoidDrag, TendsToTheSlenderSpheroid) {
   const double half = 1e-3;
   const double radius = 1e-6;
   const double logarithm = std::log(2 * half / radius);
-  const RodDrag drag = EllipsoidDrag{1.0}({.length = 2 * half, .radius = radius});
+  const RodDrag drag = EllipsoidDrag{1.0}({.length = 2 * half, .radius = radius, .fiber_length = 0});
   EXPECT_NEAR(drag.parallel, 4 * pi * half / (logarithm - 0.5), 1e-5 * drag.parallel);
   EXPECT_NEAR(drag.perpendicular, 8 * pi * half / (logarithm + 0.5), 1e-5 * drag.perpendicular);
 }

@@ -1,7 +1,7 @@
 // Two crossing fibers that slide over each other obey Coulomb's law, from sticking to sliding.
 #include <gtest/gtest.h>
 
-#include "dynamics/contact_law.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {
@@ -50,7 +50,7 @@ const double holding = free_slip / 2 / (1 + distance * distance / (8 * turning))
 /// Velocity of the upper rod along x relative to the fluid: either friction holds, or it is overcome and
 /// w = −mu F_N/(m zeta).
 double theory(double friction) {
-  const double normal = NormalForce(soft_contact(friction), radius)(distance);
+  const double normal = NormalForce(soft_contact(friction), {{radius, 0}, {radius, 0}})(distance);
   return -std::min(holding, friction * normal / resistance);
 }
 
@@ -70,7 +70,8 @@ FiberState settled(double friction) {
 }
 
 TEST(Friction, SticksOrSlidesAsCoulombSays) {
-  const double critical = resistance * holding / NormalForce(soft_contact(0), radius)(distance);
+  const double critical =
+      resistance * holding / NormalForce(soft_contact(0), {{radius, 0}, {radius, 0}})(distance);
   for (const double share : {0.0, 0.1, 0.5, 0.9, 1.1, 2.0, 10.0}) {
     const FiberState state = settled(share * critical);
     const double expected = theory(share * critical);
@@ -82,7 +83,7 @@ TEST(Friction, SticksOrSlidesAsCoulombSays) {
 }
 
 TEST(Friction, LeavesTheNormalMotionAlone) {
-  const double normal = NormalForce(soft_contact(0), radius)(distance);
+  const double normal = NormalForce(soft_contact(0), {{radius, 0}, {radius, 0}})(distance);
   for (const double friction : {0.0, 0.3}) {
     const FiberState state = settled(friction);
     EXPECT_NEAR(middle_velocity(state, 0).y(), normal / resistance, 1e-4 * normal / resistance);

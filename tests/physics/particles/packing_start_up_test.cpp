@@ -27,7 +27,7 @@ PackingRequest couette_request(int count, double volume_fraction) {
 
 Simulation simulate(const FiberState& state, double rate, double until) {
   DynamicsParameters parameters;
-  parameters.breakage.law = BreakageLaw::fixed;
+  parameters.breakage.law = "fixed";
   parameters.breakage.critical_radius = 300e-6;
   Simulation simulation(parameters, FlowHistory::constant(rate, 200), state);
   while (simulation.state().time < until) static_cast<void>(simulation.advance(until));

@@ -15,6 +15,8 @@ namespace fiberfate::scenes {
 
 /// The glass fiber of the thesis: 19 µm, 73 GPa.
 inline const FiberMaterial glass{.radius = 9.5e-6, .youngs_modulus = 73e9, .density = 2550};
+/// Two of them that touch.
+inline const ContactPair glass_pair{contact_body(glass), contact_body(glass)};
 /// The melt of the thesis' Couette experiment.
 inline constexpr double melt_viscosity = 200;  // Pa s
 inline constexpr double couette_rate = 16.65;  // 1/s

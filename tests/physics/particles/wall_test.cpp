@@ -1,7 +1,7 @@
 // Walls keep fibers in and hold them back by friction.
 #include <gtest/gtest.h>
 
-#include "dynamics/contact_law.hpp"
+#include "fibers/contact_laws/contact_registry.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {
@@ -67,7 +67,7 @@ ContactParameters soft_contact(double friction) {
 /// Normal force on a rod that lies along a wall: the law of a rod and its mirror image, 2 h apart, at each of
 /// its ends.
 double normal_force() {
-  return 2 * NormalForce(soft_contact(0), radius)(2 * height);
+  return 2 * NormalForce(soft_contact(0), {{radius, 0}, {radius, 0}})(2 * height);
 }
 
 /// Velocity along x of a rod that lies across the flow on a wall, relative to the fluid at its axis. The

@@ -58,7 +58,7 @@ TEST(CaseFile, FillsTheStruct) {
   EXPECT_EQ(loaded.kind->name, "shear_cell");
   EXPECT_EQ(values.sample.fibers.count, 10);
   EXPECT_EQ(values.sample.fibers.diameter, 19e-6);
-  EXPECT_EQ(values.dynamics.breakage.law, BreakageLaw::fixed);
+  EXPECT_EQ(values.dynamics.breakage.law, "fixed");
   EXPECT_EQ(values.dynamics.breakage.critical_radius, 300e-6);
   EXPECT_EQ(values.dynamics.contact.force_constant, ContactParameters{}.force_constant);
   EXPECT_EQ(flow_history(values.flow).at(0.5).gradient(0, 1), 10);

@@ -172,5 +172,35 @@ TEST(ContactSearch, PushesAxesThatCrossApartAcrossBoth) {
   EXPECT_EQ(std::abs(found.begin()->second.normal.z()), 1);
 }
 
+/// A straight fiber 171 times as long as its cell, in 40 rods: it runs beside images of itself.
+FiberState fiber_of_many_cells() {
+  FiberState state;
+  state.materials = {{1e-6, 73e9, 2550}};
+  state.cell = rectangular_cell(Vec3::Constant(3e-4));
+  const Vec3 step = 171 * 3e-4 / 40 * Vec3(1, 0.3137, 0.1771).normalized();
+  std::vector<Vec3> nodes;
+  for (int k = 0; k <= 40; ++k) nodes.emplace_back((k - 20) * step);
+  append_fiber(state, {nodes, 0});
+  return state;
+}
+
+// Images used to wrap at 128: contacts were then measured where nothing is.
+TEST(ContactSearch, TellsFarImagesApart) {
+  const FiberState state = fiber_of_many_cells();
+  int farthest = 0;
+  for (const auto& [key, found] : search(state)) {
+    const auto first = std::size_t(key[0]), second = std::size_t(key[1]);
+    const IntVec3 image(key[2], key[3], key[4]);
+    const Vec3 shift = state.cell.shift(image);
+    const ClosestPoints exact =
+        closest_points({state.position[first], state.position[first + 1]},
+                       {state.position[second] + shift, state.position[second + 1] + shift});
+    EXPECT_NEAR(found.distance, exact.distance, 1e-12);
+    EXPECT_LT(exact.distance, range);
+    farthest = std::max(farthest, image.cwiseAbs().maxCoeff());
+  }
+  EXPECT_GT(farthest, 127);
+}
+
 }  // namespace
 }  // namespace fiberfate

@@ -12,6 +12,7 @@
 #include "dynamics/chain_assembly.hpp"
 #include "dynamics/chain_system.hpp"
 #include "fibers/rod_pairs.hpp"
+#include "reference/append_contact.hpp"
 
 namespace fiberfate {
 
@@ -67,12 +68,11 @@ struct Scene {
     ContactSet contacts(2);
     for (int i = 0; i < 6; ++i) {
       ContactChunk& chunk = contacts[std::size_t(i % 2)];
-      chunk.reserve(chunk.count + 1);
       Contact contact;
       contact.first = between[i][0];
       contact.second = between[i][1];
       contact.image = i == 4 ? pack_image({1, 0, 0}) : 0;
-      chunk.add(contact);
+      reference::append_contact(chunk, contact);
     }
     pairs.deal(contacts, state.node_count());
     int number = 0;
@@ -88,8 +88,6 @@ struct Scene {
         to.distance = 0.1 + 0.01 * number;
         to.along = 2 + wave(number + 30);
         to.across = 0.5 + 0.3 * wave(number + 31);
-        to.first = contacts[c].first[std::size_t(i)];
-        to.second = contacts[c].second[std::size_t(i)];
       }
     }
   }

@@ -274,6 +274,18 @@ TEST(Pack, RefusesWhatCannotBe) {
             "the nearest possible tensor is [0.75, 0.25, 0]");
 }
 
+// 171 images in each direction took gigabytes, and in dynamics wrapped.
+TEST(Pack, RefusesFibersOfHundredsOfCells) {
+  PackingRequest request;
+  request.materials = {{0.5e-6, 73e9, 2550}};
+  request.fibers = {{13e-3, 100, 0}};
+  request.cell = rectangular_cell(Vec3::Constant(76e-6));
+  EXPECT_EQ(
+      refusal(request),
+      "a fiber is 171.1 times as long as the cell is high: make the cell larger or the fibers shorter: at "
+      "most 100 times");
+}
+
 TEST(Pack, SaysWhatWasReachedWhenItGivesUp) {
   PackingRequest request = crowded_request();
   request.minimum_radius = 0.1;  // ten centimetres: as good as straight

@@ -28,7 +28,7 @@ Vec3 middle(const Chains& chains, std::size_t fiber) {
 
 TEST(Vacancies, AreWhereNoAxisIsNearerThanADiameter) {
   const Chains chains = parallel_chains({{10, 0.5}});
-  Vacancies vacancies(chains.cell);
+  Vacancies vacancies(chains);
   vacancies.fill(chains, 0);
   const auto filled = [&](double y, double z) {
     return vacancies.filled_share({Vec3(10, y, z), Vec3::UnitX(), 16});
@@ -44,7 +44,7 @@ TEST(Vacancies, AreWhereNoAxisIsNearerThanADiameter) {
 
 TEST(Vacancies, StopCountingWhereEnoughIsFilled) {
   const Chains chains = parallel_chains({{10, 10}});
-  Vacancies vacancies(chains.cell);
+  Vacancies vacancies(chains);
   vacancies.fill(chains, 0);
   const StraightAxis along = {Vec3(10, 10, 10), Vec3::UnitX(), 16};
   EXPECT_EQ(vacancies.filled_share(along), 1);
@@ -56,7 +56,7 @@ TEST(Vacancies, StopCountingWhereEnoughIsFilled) {
 TEST(Vacancies, EndAtWalls) {
   Chains chains = parallel_chains({{10, 10}});
   chains.cell.boundary[1] = Boundary::walls;
-  const Vacancies vacancies(chains.cell);
+  const Vacancies vacancies(chains);
   EXPECT_EQ(vacancies.filled_share({Vec3(10, 5, 5), Vec3::UnitX(), 16}), 0);
   EXPECT_EQ(vacancies.filled_share({Vec3(10, -1, 5), Vec3::UnitX(), 16}), 1);
   EXPECT_NEAR(vacancies.filled_share({Vec3(10, 0, 5), Vec3::UnitY(), 16}), 0.5, 0.05);

@@ -1,0 +1,14 @@
+// What a registry tells about a law that a case may choose.
+#pragma once
+
+namespace fiberfate {
+
+/// Describes a law in words. Plain text, because kernels include the files of laws.
+struct LawText {
+  const char* name;               ///< as in case files
+  const char* meaning;            ///< in a few words
+  const char* source;             ///< author, year, equation; empty where it is this program's own
+  const char* constants[8] = {};  ///< that it reads: keys of the section in which it is chosen
+};
+
+}  // namespace fiberfate
