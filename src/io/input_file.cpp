@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <cstring>
 
-#include "base/error.hpp"
 #include "io/atomic_file.hpp"
 
 namespace fiberfate {
@@ -48,6 +47,10 @@ std::string read_input_file(const std::string& path, std::uint64_t most_bytes) {
   } catch (const StorageError& error) {
     throw InputError(error.what(), "check the file");
   }
+}
+
+std::string complaint_with_place(const InputProblem& problem) {
+  return InputProblem{problem.file, problem.line, problem.column, "", "", problem.complaint, ""}.message();
 }
 
 }  // namespace fiberfate

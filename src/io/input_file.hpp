@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "base/error.hpp"
+
 namespace fiberfate {
 
 /// Bytes beyond which a text or a table is taken for a mistake.
@@ -19,5 +21,8 @@ void require_readable(const std::string& path, std::uint64_t most_bytes = larges
 
 /// Reads a whole file; raises InputError where it cannot be read.
 [[nodiscard]] std::string read_input_file(const std::string& path, std::uint64_t most_bytes = largest_input);
+
+/// Gives a complaint behind its place, "lengths.csv:2:1: …", for the message of a key that names the file.
+[[nodiscard]] std::string complaint_with_place(const InputProblem& problem);
 
 }  // namespace fiberfate

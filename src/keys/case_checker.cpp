@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
+#include <system_error>
+
+#include "io/input_file.hpp"
 
 namespace fiberfate {
 namespace {
@@ -26,9 +29,8 @@ bool begins_with(std::string_view name, const TomlValue& row) {
 
 InputProblem problem_at_key(const TomlDocument& document, const std::string& key) {
   if (const TomlEntry* entry = document.find(key)) return problem_at(*entry);
-  InputProblem problem;
-  problem.file = document.name();
-  problem.key = key;
+  const InputPlace& end = document.end();
+  InputProblem problem{end.file, end.line, end.column, key, "", "", ""};
   for (const TomlTable& table : document.tables()) {
     if (key != table.name + key.substr(std::min(key.size(), key.rfind('.')))) continue;
     problem.file = table.place.file;
@@ -48,6 +50,12 @@ InputProblem CaseChecker::problem(const std::string& key, const std::string& com
 
 void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
   if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
+}
+
+void CaseChecker::errors(const std::string& key, const std::vector<InputProblem>& found) {
+  if (!is_sound(key)) return;
+  for (const InputProblem& one : found)
+    errors_.push_back(problem(key, complaint_with_place(one), one.remedy));
 }
 
 void CaseChecker::error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
@@ -96,8 +104,11 @@ std::string CaseChecker::cite(const std::string& key) const {
 
 void CaseChecker::check_file(const std::string& key, const std::string& path) {
   if (named_files_ == NamedFiles::may_be_gone || path.empty()) return;
-  if (!std::ifstream(path))
-    error(key, "there is no such file", fmt::format("check the path; it means '{}'", path));
+  const std::string fault = reading_fault(path);
+  if (fault.empty()) return;
+  std::error_code reason;
+  const bool missing = !std::filesystem::exists(path, reason) && !reason;
+  error(key, missing ? "there is no such file" : fault, fmt::format("check the path; it means '{}'", path));
 }
 
 }  // namespace fiberfate

@@ -34,6 +34,7 @@ const CaseKind& kind_of(const TomlDocument& document, const CaseKinds& kinds) {
   if (entry == nullptr) {
     InputProblem problem;
     problem.file = document.name();
+    problem.line = problem.column = 1;  // where it should stand
     problem.key = "study";
     problem.complaint = "not given, so nothing else can be checked";
     problem.remedy = fmt::format("add study = {} above the first [table]", listed(names));

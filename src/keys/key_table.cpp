@@ -16,7 +16,7 @@ namespace {
 using Complaints = std::vector<Complaint>;
 
 Units units_of(const KeyNotes& notes) {
-  return {notes.unit, notes.friendly};
+  return {notes.unit, notes.friendly, notes.unit_alone};
 }
 
 /// Passes a reading on to `accept`, or collects its complaint.

@@ -10,12 +10,16 @@ void describe_lengths(KeyTable& table, MeasuredLengthChoices& lengths) {
              {.text = "CSV file with a row a fiber, or a row a length with the number of its fibers.",
               .example = "\"lengths.csv\""});
   describe_text(table, "lengths.column", lengths.column, "column",
-                {.text = "Column that holds the lengths; not given: the first.", .example = "\"length\""});
+                {.text = "Column that holds the lengths; not given: the only one, or the only one whose "
+                         "heading says \"length\" with a unit.",
+                 .example = "\"length\""});
   describe_text(table, "lengths.number_column", lengths.number_column, "column",
                 {.text = "Column that tells how many fibers a row stands for; not given: one.",
                  .example = "\"count\""});
-  describe_text(table, "lengths.unit", lengths.unit, "unit",
-                {.text = "Unit of the lengths in the file.", .example = "\"um\""});
+  describe_text(
+      table, "lengths.unit", lengths.unit, "unit",
+      {.text = "Unit of the lengths in the file; not given: the one in the heading, \"Length [mm]\".",
+       .example = "\"um\""});
   table.quantity(
       "lengths.sample_diameter", lengths.sample_diameter,
       {.text =

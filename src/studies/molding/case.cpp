@@ -195,6 +195,8 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
     const MoldingSetup setup = molding_setup(values);
     const ShellMesh mesh(setup.part.shell);
     check_params(setup.params, mesh);
+    for (const std::string& remark : setup.part.remarks)
+      checker.warn("part.file", remark, "look at the mesh if that is not what it should be");
     if (obtuse_share(mesh) > most_obtuse)
       checker.warn(values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
                    fmt::format("{:.1f} % of the edges lie between obtuse triangles and conduct nothing",

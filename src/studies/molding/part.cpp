@@ -230,7 +230,8 @@ void describe_part(KeyTable& table, PartChoices& part) {
                  {.text = "Length of one unit in that file.",
                   .unit = "m",
                   .friendly = "mm",
-                  .range = Range::positive(1e3)});
+                  .range = Range::positive(1e3),
+                  .unit_alone = UnitAlone::is_one});
   table.choice("part.junctions", part.junctions,
                {{Junctions::refused, "refused", "more than two triangles at an edge are an error"},
                 {Junctions::allowed, "allowed", "walls may meet, as ribs and plates do"}},
@@ -309,6 +310,7 @@ MoldingPart make_part(const PartChoices& part) {
   std::vector<Vec3> nodes;
   if (part.kind == PartKind::file) {
     mesh = read_surface(part.file, part.file_unit);
+    made.remarks = mesh.remarks;
     nodes = mesh.points;
   } else {
     const PartShape shape = draw_part(part);
