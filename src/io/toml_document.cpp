@@ -204,7 +204,6 @@ TomlDocument TomlDocument::parse(const std::string& text, const std::string& nam
   }
   TomlDocument document;
   document.name_ = name;
-  document.end_ = {name, static_cast<int>(std::count(whole.begin(), whole.end(), '\n')) + 1, 1};
   document.entries_ = std::move(flattener.entries);
   document.tables_ = std::move(flattener.tables);
   std::sort(document.entries_.begin(), document.entries_.end(),

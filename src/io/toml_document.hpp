@@ -67,12 +67,9 @@ class TomlDocument {
   [[nodiscard]] const std::vector<TomlEntry>& entries() const { return entries_; }
   [[nodiscard]] const std::vector<TomlTable>& tables() const { return tables_; }
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Tells where more could be written: behind the last line.
-  [[nodiscard]] const InputPlace& end() const { return end_; }
 
  private:
   std::string name_;
-  InputPlace end_;
   std::vector<TomlEntry> entries_;
   std::vector<TomlTable> tables_;
 };

@@ -29,8 +29,9 @@ bool begins_with(std::string_view name, const TomlValue& row) {
 
 InputProblem problem_at_key(const TomlDocument& document, const std::string& key) {
   if (const TomlEntry* entry = document.find(key)) return problem_at(*entry);
-  const InputPlace& end = document.end();
-  InputProblem problem{end.file, end.line, end.column, key, "", "", ""};
+  InputProblem problem;
+  problem.file = document.name();
+  problem.key = key;
   for (const TomlTable& table : document.tables()) {
     if (key != table.name + key.substr(std::min(key.size(), key.rfind('.')))) continue;
     problem.file = table.place.file;
@@ -50,12 +51,6 @@ InputProblem CaseChecker::problem(const std::string& key, const std::string& com
 
 void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
   if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
-}
-
-void CaseChecker::errors(const std::string& key, const std::vector<InputProblem>& found) {
-  if (!is_sound(key)) return;
-  for (const InputProblem& one : found)
-    errors_.push_back(problem(key, complaint_with_place(one), one.remedy));
 }
 
 void CaseChecker::error_in_row(const std::string& key, std::size_t row, const std::string& complaint,

@@ -27,8 +27,6 @@ class CaseChecker {
 
   /// Reports an error at a key; where the key is not given, at the file.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
-  /// Reports several errors at a key, each with its place in the file that the key names.
-  void errors(const std::string& key, const std::vector<InputProblem>& found);
   /// Does the work, reports what it finds wrong (InputError) at a key, and tells whether that is nothing.
   template <class Work>
   bool report_at(const std::string& key, const Work& work) {
@@ -36,7 +34,7 @@ class CaseChecker {
       work();
       return true;
     } catch (const InputError& thrown) {
-      errors(key, thrown.problems());
+      for (const InputProblem& found : thrown.problems()) error(key, found.complaint, found.remedy);
       return false;
     }
   }

@@ -181,6 +181,8 @@ LoadedCase read_case(TomlDocument document, const std::string& folder, NamedFile
       if ((a.line == 0) != (b.line == 0)) return b.line == 0;
       return a.line != b.line ? a.line < b.line : a.column < b.column;
     });
+    for (InputProblem& one : all)
+      if (one.file == loaded.path && one.line == 0) one.line = one.column = 1;  // stands nowhere yet
     throw InputError(std::move(all));
   }
   for (const InputProblem& warning : checker.warnings()) loaded.warnings.push_back(warning.message());

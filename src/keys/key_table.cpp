@@ -16,7 +16,7 @@ namespace {
 using Complaints = std::vector<Complaint>;
 
 Units units_of(const KeyNotes& notes) {
-  return {notes.unit, notes.friendly, notes.unit_alone};
+  return {notes.unit, notes.friendly};
 }
 
 /// Passes a reading on to `accept`, or collects its complaint.

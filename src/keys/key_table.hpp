@@ -29,7 +29,6 @@ struct KeyNotes {
   Need need = Need::optional;
   std::string example = {};  ///< TOML text that a template shows where there is no default
   std::string source = {};   ///< where the default or the definition comes from
-  UnitAlone unit_alone = UnitAlone::refused;
 };
 
 /// Names one value of an enum in case files.

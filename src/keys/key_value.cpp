@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <stdexcept>
 
@@ -80,13 +79,6 @@ Complaint out_of_range(double number, const TomlValue& value, const Units& units
   return {"out of range", remedy};
 }
 
-/// Gives a quantity its number where a unit alone is one.
-std::string with_number(const std::string& text, UnitAlone alone) {
-  const bool unit_only = alone == UnitAlone::is_one && !text.empty() &&
-                         std::isalpha(static_cast<unsigned char>(text.front())) != 0;
-  return unit_only ? "1 " + text : text;
-}
-
 }  // namespace
 
 bool Range::contains(double value) const {
@@ -118,7 +110,7 @@ Reading<double> read_quantity(const TomlValue& value, const Units& units, const 
     number = static_cast<double>(*whole);
   } else if (const auto* text = std::get_if<std::string>(&value.data)) {
     try {
-      number = quantity_in_si(with_number(*text, units.alone), units.si);
+      number = quantity_in_si(*text, units.si);
     } catch (const std::invalid_argument& error) {
       return Complaint{error.what(), how_to_write(units)};
     }

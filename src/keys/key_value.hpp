@@ -40,14 +40,10 @@ struct Range {
   [[nodiscard]] bool contains(double value) const;
 };
 
-/// Says whether a unit without a number, "mm", stands for one of it.
-enum class UnitAlone { refused, is_one };
-
 /// Names the units of a quantity: SI in memory, friendly in templates and messages.
 struct Units {
   std::string si = "1";
   std::string friendly = {};  ///< empty: the same as `si`
-  UnitAlone alone = UnitAlone::refused;
 };
 
 /// Describes one column of a key that holds rows.

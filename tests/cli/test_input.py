@@ -201,7 +201,7 @@ EXACT = {
     "weight without densities": (
         edit("count = 10", 'weight_fraction = "10 %"'),
         ['case.toml:6:1: fibers.density: not given; fibers.weight_fraction needs it: add density = "2550 kg/m3" under [fibers]',
-         'case.toml: matrix.density: not given; fibers.weight_fraction needs it: add density = "905 kg/m3" under [matrix]',
+         'case.toml:1:1: matrix.density: not given; fibers.weight_fraction needs it: add density = "905 kg/m3" under [matrix]',
          "2 errors; nothing was written"]),
     "neither count nor fraction": (
         edit("count = 10\n", ""),

@@ -3,14 +3,26 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "io/input_file.hpp"
 #include "studies/measurement/lists.hpp"
 
 namespace fiberfate {
 namespace {
+
+/// Tells the faults of a file in one, each with its place there.
+std::string told_together(const std::vector<InputProblem>& problems) {
+  constexpr std::size_t most_told = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(problems.size(), most_told); ++i)
+    text += (i > 0 ? "; " : "") + complaint_with_place(problems[i]);
+  if (problems.size() > most_told) text += fmt::format("; and {} more", problems.size() - most_told);
+  return text;
+}
 
 /// Reads a list and reports what is wrong in it, at the key that it names or else at the file's.
 template <class Read>
@@ -18,8 +30,8 @@ void check_list(const std::string& file_key, CaseChecker& checker, const Read& r
   try {
     read();
   } catch (const InputError& error) {
-    const std::string& key = error.problems().front().key;
-    checker.errors(key.empty() ? file_key : key, error.problems());
+    const InputProblem& first = error.problems().front();
+    checker.error(first.key.empty() ? file_key : first.key, told_together(error.problems()), first.remedy);
   }
 }
 
