@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -273,6 +274,10 @@ int run_command_line(int argument_count, const char* const* arguments) {
     return report_error(ExitStatus::failed, fmt::format("the simulation failed: {}", error.what()));
   } catch (const StorageError& error) {
     return report_error(ExitStatus::failed, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    // A closed folder, a link that leads back to itself, a name that is too long.
+    return report_error(ExitStatus::bad_input, fmt::format("{}: {}: check the path", error.path1().string(),
+                                                           error.code().message()));
   } catch (const std::bad_alloc&) {
     return report_error(ExitStatus::failed, "out of memory: 'fiberfate check' tells what a case needs");
   } catch (const std::exception& error) {

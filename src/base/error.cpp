@@ -65,6 +65,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   std::string_view nearest;
   std::size_t allowed = std::max<std::size_t>(2, word.size() / 3);
   for (const std::string& candidate : candidates) {
+    // Their lengths alone put words apart; very long ones cost nothing then.
+    if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) > allowed) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance > allowed || distance >= candidate.size()) continue;
     if (!nearest.empty() && distance == allowed) continue;

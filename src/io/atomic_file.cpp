@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -72,8 +73,11 @@ void replace_file(const std::string& path, std::string_view text) {
 }
 
 std::string read_file(const std::string& path) {
-  const Descriptor file(path, O_RDONLY);
+  const Descriptor file(path, O_RDONLY | O_NONBLOCK);  // opening a pipe would wait for a writer
   if (file.number() < 0) throw storage_error("cannot open", path);
+  struct stat status {};
+  if (::fstat(file.number(), &status) == 0 && !S_ISREG(status.st_mode))
+    throw StorageError(fmt::format("cannot read {}: it is not a file", path));
   std::string text;
   char buffer[1 << 16];
   for (;;) {

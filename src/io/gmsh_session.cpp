@@ -5,20 +5,13 @@
 
 #include <algorithm>
 #include <map>
-#include <mutex>
 
 #include "base/error.hpp"
-#include "base/threads.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr int triangle_type = 2;  // of Gmsh: flat, three nodes
-
-std::mutex& session_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 /// Names the other elements of Gmsh that surfaces hold.
 std::string element_name(int type) {
@@ -81,7 +74,9 @@ void number_points(const GmshLibrary& gmsh, const std::vector<std::size_t>& corn
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   for (const std::size_t tag : used) {
-    const double* at = coordinates.items + 3 * place.at(tag);
+    const auto found = place.find(tag);
+    if (found == place.end()) throw GmshError(fmt::format("a triangle names node {}, which is none", tag));
+    const double* at = coordinates.items + 3 * found->second;
     mesh.points.emplace_back(unit * at[0], unit * at[1], unit * at[2]);
   }
   const auto index_of = [&used](std::size_t tag) {
@@ -103,7 +98,7 @@ std::string name_of_view(const GmshLibrary& gmsh, int tag) {
 
 }  // namespace
 
-GmshSession::GmshSession() : library_(gmsh_library()), turn_(session_mutex()), threads_(thread_count()) {
+GmshSession::GmshSession() : library_(gmsh_library()) {
   constexpr int read_config_files = 0;  // a user's own settings would change the mesh
   library_.call(library_.initialize, 0, nullptr, read_config_files);
   library_.call(library_.set_option, "General.Terminal", 0.0);
@@ -113,7 +108,6 @@ GmshSession::GmshSession() : library_(gmsh_library()), turn_(session_mutex()), t
 GmshSession::~GmshSession() {
   int ignored = 0;
   library_.finalize(&ignored);
-  use_threads(threads_);
 }
 
 SurfaceMesh take_triangles(const GmshSession& session, const std::string& name, double unit) {

@@ -1,7 +1,6 @@
 // Owns a session of the Gmsh library and takes triangles out of it; only sources of io include it.
 #pragma once
 
-#include <mutex>
 #include <string>
 
 #include "io/gmsh_library.hpp"
@@ -10,8 +9,8 @@
 namespace fiberfate {
 
 /// Starts Gmsh silent, without display and on one thread; ends it with its scope. Gmsh keeps everything in
-/// global variables: a second session at the same time waits for the first. The number of threads of parallel
-/// loops, which Gmsh sets to its own, is afterwards what it was.
+/// global variables and changes the threads of parallel loops: a process has one session, in a child of its
+/// own (gmsh_process.hpp).
 class GmshSession {
  public:
   GmshSession();
@@ -22,8 +21,6 @@ class GmshSession {
 
  private:
   const GmshLibrary& library_;
-  std::unique_lock<std::mutex> turn_;
-  int threads_;  ///< of parallel loops outside the session
 };
 
 /// Takes the triangles of all surfaces; `unit` scales the points. Raises InputError, which calls the source

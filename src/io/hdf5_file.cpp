@@ -1,17 +1,22 @@
 // Opens HDF5 files and moves numbers in and out of their datasets.
 #include "io/hdf5_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 
 #include "io/hdf5_handle.hpp"
+#include "io/input_file.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::uint64_t checksum_chunk_rows = 1 << 16;
 constexpr unsigned deflate_level = 4;
+constexpr std::uint64_t any_size = std::numeric_limits<std::uint64_t>::max();
 
 /// Prepares the library once: no messages of its own, no clean-up at exit that would retry a failed write.
 void prepare_library() {
@@ -115,6 +120,9 @@ Hdf5File Hdf5File::create(const std::string& path) {
 
 Hdf5File Hdf5File::open(const std::string& path, Access access) {
   prepare_library();
+  // The library would wait for a pipe for ever.
+  if (const std::string fault = reading_fault(path, any_size); !fault.empty())
+    throw StorageError(fmt::format("cannot open {}: {}", path, fault));
   const Hdf5Handle list = access_list(path);
   const unsigned flags = access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
   return {checked(H5Fopen(path.c_str(), flags, list), {"cannot open", path, {}}), path};

@@ -4,82 +4,95 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <charconv>
-#include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "base/error.hpp"
+#include "io/decimal_column.hpp"
+#include "io/input_file.hpp"
+#include "io/text_faults.hpp"
 
 namespace fiberfate {
 namespace {
 
-std::vector<std::string> split(const std::string& line) {
-  constexpr const char* separators = " \t\r,;";
-  const std::string text = line.substr(0, line.find('#'));
-  std::vector<std::string> words;
-  for (std::size_t begin = text.find_first_not_of(separators); begin != std::string::npos;) {
-    const std::size_t end = text.find_first_of(separators, begin);
-    words.push_back(text.substr(begin, end - begin));
-    begin = text.find_first_not_of(separators, end);
+constexpr std::size_t most_told = 100;  // lines at fault
+
+/// Splits a line into its words, which are views of it.
+std::vector<std::string_view> split(std::string_view line) {
+  const bool semicolons = line.find(';') != std::string_view::npos;
+  const char* separators = semicolons ? " \t\r;" : " \t\r,";
+  std::vector<std::string_view> words;
+  for (std::size_t begin = line.find_first_not_of(separators); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+    words.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(separators, end);
   }
   return words;
 }
 
-std::optional<double> number_of(const std::string& word) {
-  double number = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool whole = status == std::errc() && end == word.data() + word.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+std::optional<double> number_of(std::string_view word, std::string_view line) {
+  std::string fault;
+  const bool semicolons = line.find(';') != std::string_view::npos;
+  return DecimalColumn(semicolons ? ';' : ',').read(word, fault);
 }
 
 std::string row_of(std::size_t columns) {
   return columns == 1 ? "one number" : fmt::format("a row of {} numbers", columns);
 }
 
-/// Tells what is wrong with a row.
-std::string fault_of(const std::vector<std::string>& words, std::size_t columns) {
-  const auto odd = std::find_if_not(words.begin(), words.end(),
-                                    [](const std::string& word) { return number_of(word).has_value(); });
-  if (words.size() == columns && odd != words.end()) return fmt::format("'{}' is not a finite number", *odd);
-  return fmt::format("not {}", row_of(columns));
+/// Tells what is wrong with a row, and at which of its bytes; nothing where nothing is.
+struct RowFault {
+  std::string complaint;
+  std::size_t place = 0;
+};
+
+std::optional<RowFault> fault_of(std::string_view line, std::size_t columns) {
+  const std::vector<std::string_view> words = split(line);
+  const auto odd = std::find_if_not(words.begin(), words.end(), [line](std::string_view word) {
+    return number_of(word, line).has_value();
+  });
+  const auto place_of = [line](std::string_view word) {
+    return static_cast<std::size_t>(word.data() - line.data());
+  };
+  if (odd != words.end())
+    return RowFault{fmt::format("'{}' is not a finite number", shortened(*odd)), place_of(*odd)};
+  if (words.size() == columns) return std::nullopt;
+  const bool commas = words.size() == 2 * columns && line.find(',') != std::string_view::npos;
+  return RowFault{fmt::format("not {}{}", row_of(columns), commas ? "; are they decimal commas?" : ""),
+                  place_of(words[std::min(words.size() - 1, columns)])};
 }
 
 }  // namespace
 
-std::vector<std::vector<double>> read_number_file(const std::string& path, std::size_t columns) {
-  if (std::filesystem::is_directory(path))
-    throw InputError({{path, 0, 0, "", "", "is a folder, not a file", "give the file in it"}});
-  std::ifstream file(path);
-  if (!file)
-    throw InputError(
-        {{path, 0, 0, "", "", fmt::format("cannot be read ({})", std::strerror(errno)), "check the path"}});
-  std::vector<std::vector<double>> rows;
+std::vector<NumberRow> read_number_file(const std::string& path, std::size_t columns) {
+  const std::string text = read_input_file(path);
+  if (const auto fault = text_fault(text, path)) throw InputError({*fault});
+  std::vector<NumberRow> rows;
   std::vector<InputProblem> problems;
   int line_number = 0;
   bool heading_allowed = true;
-  for (std::string line; std::getline(file, line);) {
+  for (std::string_view rest = without_byte_order_mark(text); !rest.empty();) {
+    std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     ++line_number;
-    const std::vector<std::string> words = split(line);
+    line = line.substr(0, line.find('#'));
+    const std::vector<std::string_view> words = split(line);
     if (words.empty()) continue;
-    const bool heading = heading_allowed && !number_of(words.front());
+    const bool heading = heading_allowed && !number_of(words.front(), line);
     heading_allowed = false;
     if (heading) continue;
-    std::vector<double> row;
-    for (const std::string& word : words)
-      if (const auto number = number_of(word)) row.push_back(*number);
-    if (row.size() == columns && words.size() == columns)
-      rows.push_back(std::move(row));
-    else
-      problems.push_back({path, line_number, 0, "", "", fault_of(words, columns),
+    if (const auto fault = fault_of(line, columns)) {
+      problems.push_back({path, line_number, static_cast<int>(fault->place) + 1, "", "", fault->complaint,
                           "separate numbers by spaces or commas, with a decimal point"});
+      if (problems.size() == most_told) break;
+      continue;
+    }
+    rows.push_back({line_number, {}});
+    for (const std::string_view word : words) rows.back().numbers.push_back(*number_of(word, line));
   }
   if (rows.empty() && problems.empty())
     problems.push_back(
-        {path, 0, 0, "", "", "holds no numbers", fmt::format("give {} a line", row_of(columns))});
+        {path, 1, 1, "", "", "holds no numbers", fmt::format("give {} a line", row_of(columns))});
   if (!problems.empty()) throw InputError(std::move(problems));
   return rows;
 }

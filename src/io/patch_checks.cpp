@@ -66,8 +66,9 @@ void check_patch(const PatchedSurface& surface, const Patch& patch) {
     return std::array<Vec3, 2>{surface.corners.at(edge[0]), surface.corners.at(edge[1])};
   };
   const double size = std::sqrt(area.norm());
+  const bool has_area = size > 0 && std::isfinite(size);
   for (const Edge& edge : edges)
-    if (!(std::abs(normal.dot(ends(edge)[0] - origin)) <= 1e3 * flatness * size))
+    if (!has_area || !(std::abs(normal.dot(ends(edge)[0] - origin)) <= 1e3 * flatness * size))
       throw InputError(
           fmt::format("the part cannot be meshed: patch \"{}\" is not flat or has no area", patch.region),
           "check its dimensions");

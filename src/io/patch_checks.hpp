@@ -6,7 +6,7 @@
 namespace fiberfate {
 
 /// Raises InputError when a patch is not flat, or when two of its edges touch anywhere but at a common
-/// corner. Gmsh would end the program: it raises errors inside a parallel region.
+/// corner: Gmsh says nothing that would tell where.
 void check_patches(const PatchedSurface& surface);
 
 }  // namespace fiberfate

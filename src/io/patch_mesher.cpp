@@ -10,13 +10,14 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "io/gmsh_session.hpp"
+#include "io/gmsh_process.hpp"
 #include "io/patch_checks.hpp"
 
 namespace fiberfate {
 namespace {
 
-constexpr double frontal_delaunay = 6;  // of Gmsh's Mesh.Algorithm
+constexpr double frontal_delaunay = 6;    // of Gmsh's Mesh.Algorithm
+constexpr double longest_meshing = 1800;  // s; a million triangles take a minute
 
 /// Hands corners and edges to Gmsh once each.
 class EdgeBook {
@@ -96,14 +97,13 @@ void generate(const GmshLibrary& gmsh, const PatchedSurface& surface) {
 SurfaceMesh mesh_patches(const PatchedSurface& surface) {
   assert(surface.corners.size() == surface.sizes.size() && !surface.patches.empty());
   check_patches(surface);
-  const GmshSession session;
-  try {
+  const GmshTask task = {"the part cannot be meshed",
+                         "check its dimensions: edges must not cross and openings must lie inside",
+                         longest_meshing};
+  return surface_from_gmsh(task, [&](const GmshSession& session) {
     generate(session.library(), surface);
-  } catch (const GmshError& error) {
-    throw InputError(fmt::format("the part cannot be meshed: {}", error.what()),
-                     "check its dimensions: edges must not cross and openings must lie inside");
-  }
-  return take_triangles(session, "the part", 1);
+    return take_triangles(session, "the part", 1);
+  });
 }
 
 }  // namespace fiberfate

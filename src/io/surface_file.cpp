@@ -1,23 +1,21 @@
-// Reads surfaces through Gmsh, after a look at what kind of file it is.
+// Reads surfaces, after a look at what kind of file it is.
 #include "io/surface_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "base/error.hpp"
-#include "io/gmsh_session.hpp"
+#include "io/gmsh_process.hpp"
+#include "io/input_file.hpp"
+#include "io/stl_file.hpp"
+#include "io/surface_orientation.hpp"
 
 namespace fiberfate {
 namespace {
-
-constexpr std::size_t stl_head = 84;      // bytes before the triangles of a binary STL file
-constexpr std::size_t stl_triangle = 50;  // bytes of each
 
 std::string lower_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
@@ -26,61 +24,83 @@ std::string lower_extension(const std::string& path) {
   return extension;
 }
 
-/// Reads the first bytes of a file.
-std::string head_of(const std::string& path) {
+/// Raises InputError with the first line of a file.
+[[noreturn]] void refuse_head(const std::string& path, const std::string& complaint,
+                              const std::string& remedy) {
+  throw InputError({{path, 1, 1, "", "", complaint, remedy}});
+}
+
+/// Gmsh takes what it does not know for a script and runs it, so that nothing doubtful may reach it: a mesh
+/// begins with $MeshFormat, or with comments before it.
+void require_gmsh_mesh(const std::string& path) {
+  require_readable(path);
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be read", "check the path and the permission");
-  std::string head(stl_head, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return head;
-}
-
-bool is_stl(const std::string& path, const std::string& head) {
-  if (head.starts_with("solid")) return true;
-  if (head.size() < stl_head) return false;
-  std::uint32_t triangles = 0;
-  std::memcpy(&triangles, head.data() + stl_head - sizeof triangles, sizeof triangles);
-  return std::filesystem::file_size(path) == stl_head + stl_triangle * triangles;
-}
-
-/// Gmsh takes what it does not know for a script and runs it, so that nothing doubtful may reach it.
-void require_mesh_file(const std::string& path) {
-  const std::string extension = lower_extension(path);
-  const std::string head = head_of(path);
-  if (extension == ".msh" && !head.starts_with("$MeshFormat"))
-    throw InputError(path + ": is not a Gmsh mesh: it does not begin with $MeshFormat",
-                     "save the mesh from Gmsh in format 2.2 or 4.1");
-  if (extension == ".stl" && !is_stl(path, head))
-    throw InputError(path + ": is not an STL file, or is cut short", "export the surface again");
-  if (extension != ".msh" && extension != ".stl")
-    throw InputError(path + ": is neither a .msh nor an .stl file",
-                     "save the part as a Gmsh mesh or as STL, with that extension");
-}
-
-/// Lets Gmsh read a file that has been looked at.
-void open_in(const GmshSession& session, const std::string& path) {
-  try {
-    session.library().call(session.library().open, path.c_str());
-  } catch (const GmshError& error) {
-    throw InputError(fmt::format("{}: Gmsh cannot read it: {}", path, error.what()), "save the mesh again");
+  std::string line;
+  const auto is = [&line](std::string_view word) { return line == word || line == std::string(word) + '\r'; };
+  std::getline(file, line);
+  if (is("$Comments")) {
+    while (std::getline(file, line) && !is("$EndComments")) continue;
+    std::getline(file, line);
   }
+  if (!is("$MeshFormat"))
+    refuse_head(path, "is not a Gmsh mesh: it does not begin with $MeshFormat",
+                "save the mesh from Gmsh in format 2.2 or 4.1");
+}
+
+/// Lets Gmsh read a mesh file: within the time of a hundredfold of what a sound file takes.
+GmshTask reading_of(const std::string& path) {
+  constexpr double least = 5, seconds_per_byte = 1e-5;
+  std::error_code ignored;
+  const auto bytes = static_cast<double>(std::filesystem::file_size(path, ignored));
+  return {path + ": Gmsh cannot read it", "it is damaged or of an unknown format: save the mesh again",
+          least + seconds_per_byte * bytes};
+}
+
+void open_in(const GmshSession& session, const std::string& path) {
+  session.library().call(session.library().open, path.c_str());
+}
+
+SurfaceMesh read_gmsh_mesh(const std::string& path, double unit) {
+  require_gmsh_mesh(path);
+  return surface_from_gmsh(reading_of(path), [&](const GmshSession& session) {
+    open_in(session, path);
+    return take_triangles(session, path, unit);
+  });
+}
+
+void require_finite(const SurfaceMesh& mesh, const std::string& path) {
+  const auto lost = std::find_if(mesh.points.begin(), mesh.points.end(),
+                                 [](const Vec3& point) { return !point.allFinite(); });
+  if (lost != mesh.points.end())
+    throw InputError(
+        {{path, 0, 0, "", "",
+          fmt::format("point {} of {} is not finite", lost - mesh.points.begin() + 1, mesh.points.size()),
+          "save the mesh again"}});
 }
 
 }  // namespace
 
 SurfaceMesh read_surface(const std::string& path, double unit) {
-  require_mesh_file(path);
-  const GmshSession session;
-  open_in(session, path);
-  return take_triangles(session, path, unit);
+  const std::string extension = lower_extension(path);
+  if (extension != ".msh" && extension != ".stl") {
+    require_readable(path);
+    refuse_head(path, "is neither a .msh nor an .stl file",
+                "save the part as a Gmsh mesh or as STL, with that extension");
+  }
+  SurfaceMesh mesh = extension == ".stl" ? read_stl(path, unit) : read_gmsh_mesh(path, unit);
+  require_finite(mesh, path);
+  if (const std::size_t turned = turn_to_agree(mesh); turned > 0)
+    mesh.remarks.push_back(fmt::format("{} of {} triangles {} turned to agree with the others", turned,
+                                       mesh.triangles.size(), turned == 1 ? "is" : "are"));
+  return mesh;
 }
 
 ElementData read_element_data(const std::string& path, const std::string& name) {
-  require_mesh_file(path);
-  const GmshSession session;
-  open_in(session, path);
-  return take_element_data(session, path, name);
+  require_gmsh_mesh(path);
+  return data_from_gmsh(reading_of(path), [&](const GmshSession& session) {
+    open_in(session, path);
+    return take_element_data(session, path, name);
+  });
 }
 
 }  // namespace fiberfate

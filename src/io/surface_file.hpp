@@ -11,9 +11,10 @@ namespace fiberfate {
 
 /// Reads a surface; `unit` is the length in m of one unit of the file. In a .msh file the regions are the
 /// physical surfaces, or where there are none the surfaces by number; points that no triangle uses are left
-/// out; triangles keep the numbers that their elements have there. In an .stl file, which repeats the corners
-/// of every triangle, equal corners become one point. Raises InputError when the file is missing, is of
-/// another kind, or holds no triangles, or other elements in its surfaces.
+/// out; triangles keep the numbers that their elements have there. An .stl file is read as read_stl() says.
+/// Triangles that run the other way round than their neighbours are turned, and the remarks of the mesh tell
+/// how many. Raises InputError when the file is missing, is of another kind, is damaged, or holds no
+/// triangles, or other elements in its surfaces.
 [[nodiscard]] SurfaceMesh read_surface(const std::string& path, double unit);
 
 /// Holds one number for each of some elements, in any order.

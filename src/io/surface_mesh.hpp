@@ -17,6 +17,7 @@ struct SurfaceMesh {
   std::vector<Index> regions;                   ///< region of each triangle
   std::vector<std::string> region_names;
   std::vector<std::size_t> numbers = {};  ///< of each triangle in the file that it comes from
+  std::vector<std::string> remarks = {};  ///< what was mended when it was read, for people
 };
 
 }  // namespace fiberfate

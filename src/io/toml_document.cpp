@@ -4,36 +4,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <sstream>
 #include <toml.hpp>
 
+#include "io/input_file.hpp"
+#include "io/text_faults.hpp"
+#include "io/text_places.hpp"
+#include "io/toml_scan.hpp"
 #include "io/toml_syntax.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t longest_citation = 60;
-
-std::vector<std::string> split_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.ends_with('\r')) line.pop_back();
-    lines.push_back(line);
-  }
-  return lines;
-}
+constexpr std::uint64_t largest_case = std::uint64_t{1} << 26;  // bytes; a million rows of numbers
 
 /// Builds the flat lists from toml11's tree.
 class Flattener {
  public:
-  Flattener(std::string name, const std::string& text) : name_(std::move(name)), lines_(split_lines(text)) {}
+  Flattener(const std::string& name, const std::string& text, const BrokenText& broken)
+      : name_(name), text_(text), broken_(broken), places_(text) {}
 
   void flatten(const toml::value& table, const std::string& prefix) {
     for (const auto& [leaf, value] : table.as_table()) {
@@ -50,7 +43,7 @@ class Flattener {
         }
       } else {
         TomlValue converted = convert(value);
-        entries.push_back({key, key_place(converted.place), std::move(converted)});
+        entries.push_back({key, key_place(value), std::move(converted)});
       }
     }
   }
@@ -65,38 +58,55 @@ class Flattener {
                        [](const toml::value& item) { return item.is_table(); });
   }
 
-  [[nodiscard]] InputPlace place_of(const toml::value& value) const {
-    const auto location = value.location();
-    return {name_, static_cast<int>(location.line()), static_cast<int>(location.column())};
+  [[nodiscard]] InputPlace place_at(std::size_t offset) const {
+    const TextPlace place = places_.at(offset);
+    return {name_, place.line, place.column};
   }
 
+  /// Says where a value stands in the text.
+  struct Span {
+    std::size_t begin = 0, size = 0;
+  };
+
+  [[nodiscard]] Span span_of(const toml::value& value) const {
+    const auto* region = dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
+    if (region == nullptr) return {};
+    const auto begin = static_cast<std::size_t>(region->first() - region->begin());
+    const std::size_t first = broken_.original(begin);
+    return {first, broken_.original(begin + region->size()) - first};
+  }
+
+  [[nodiscard]] InputPlace place_of(const toml::value& value) const { return place_at(span_of(value).begin); }
+
   /// Finds the key to the left of a value; where the line does not show it, the value's own place.
-  [[nodiscard]] InputPlace key_place(const InputPlace& value) const {
-    const auto row = static_cast<std::size_t>(value.line) - 1;
-    if (row >= lines_.size()) return value;
-    const std::string before = lines_[row].substr(0, static_cast<std::size_t>(value.column) - 1);
+  [[nodiscard]] InputPlace key_place(const toml::value& value) const {
+    const std::size_t begin = span_of(value).begin;
+    const InputPlace place = place_at(begin);
+    const auto column = static_cast<std::size_t>(place.column) - 1;
+    const std::string_view before = text_.substr(begin - column, column);
     const auto equals = before.find_last_of('=');
-    if (equals == std::string::npos) return value;
+    if (equals == std::string_view::npos) return place;
     const auto last = before.find_last_not_of(" \t", equals == 0 ? 0 : equals - 1);
-    if (last == std::string::npos) return value;
+    if (last == std::string_view::npos) return place;
     const auto gap = before.find_last_of(" \t,{", last);
-    return {value.file, value.line, static_cast<int>(gap == std::string::npos ? 0 : gap + 1) + 1};
+    return {place.file, place.line, static_cast<int>(gap == std::string_view::npos ? 0 : gap + 1) + 1};
   }
 
   /// Cites a value as it stands in the file, folding line breaks and spaces, shortened to a line.
   [[nodiscard]] std::string citation(const toml::value& value) const {
-    const auto location = value.location();
-    std::size_t left = location.region();
-    std::size_t from = location.column() - 1;
+    const auto [begin, size] = span_of(value);
+    std::string_view rest = text_.substr(begin, size);
     std::string cited;
-    for (std::size_t row = location.line() - 1; row < lines_.size() && left > 0; ++row, from = 0) {
-      const std::string piece = from < lines_[row].size() ? lines_[row].substr(from, left) : "";
-      const auto first = piece.find_first_not_of(" \t");
-      if (first != std::string::npos) cited += (cited.empty() || from > 0 ? "" : " ") + piece.substr(first);
-      left -= std::min(left, piece.size() + 1);
+    while (!rest.empty() && cited.size() <= longest_citation) {
+      std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size()));
+      rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+      if (line.ends_with('\r')) line.remove_suffix(1);
+      const auto first = line.find_first_not_of(" \t");
+      if (first == std::string_view::npos) continue;
+      if (!cited.empty()) cited += ' ';
+      cited += line.substr(first, longest_citation + 1);
     }
-    if (cited.size() > longest_citation) cited = cited.substr(0, longest_citation - 3) + "...";
-    return cited;
+    return shortened(cited, longest_citation);
   }
 
   [[nodiscard]] TomlValue convert(const toml::value& value) const {
@@ -129,7 +139,9 @@ class Flattener {
   }
 
   std::string name_;
-  std::vector<std::string> lines_;
+  std::string_view text_;
+  const BrokenText& broken_;
+  TextPlaces places_;
 };
 
 std::string unreadable_remedy(const std::string& path) {
@@ -170,24 +182,25 @@ TomlDocument TomlDocument::read(const std::string& path) {
     refuse(path, "is a folder, not a case file",
            found ? fmt::format("give '{}'", inside.string()) : "give the case file in it");
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(path, fmt::format("cannot be read ({})", std::strerror(errno)), unreadable_remedy(path));
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parse(text.str(), path);
+  if (const std::string fault = reading_fault(path, largest_case); !fault.empty())
+    refuse(path, fault, unreadable_remedy(path));
+  return parse(read_input_file(path, largest_case), path);
 }
 
 TomlDocument TomlDocument::parse(const std::string& text, const std::string& name) {
-  if (text.find('\0') != std::string::npos)
-    refuse(name, "is not a text file", "give a case file in TOML, as 'fiberfate new shear_cell' writes it");
+  std::string whole(without_byte_order_mark(text));
   // A last line without its end confuses toml11's places.
-  const std::string whole = text.ends_with('\n') ? text : text + '\n';
-  Flattener flattener(name, whole);
+  if (!whole.ends_with('\n')) whole += '\n';
+  if (const auto problem = text_fault(whole, name)) throw InputError({*problem});
+  TomlScan scan = scan_toml(whole, name);
+  if (scan.fault) throw InputError({*scan.fault});
+  const BrokenText broken(whole, std::move(scan.breaks));
+  Flattener flattener(name, whole, broken);
   try {
-    std::istringstream stream(whole);
+    std::istringstream stream(broken.text());
     flattener.flatten(toml::parse(stream, name), "");
   } catch (const toml::exception& error) {
-    throw InputError({syntax_problem(error.what(), name, split_lines(whole))});
+    throw InputError({syntax_problem(error.what(), name, {whole, broken})});
   }
   TomlDocument document;
   document.name_ = name;

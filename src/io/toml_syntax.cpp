@@ -3,27 +3,63 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <regex>
+#include <charconv>
+#include <optional>
 #include <sstream>
+#include <string_view>
+
+#include "io/text_faults.hpp"
+#include "io/text_places.hpp"
 
 namespace fiberfate {
 namespace {
 
-struct Place {
-  int line = 0;
-  int column = 0;
-};
+using Place = TextPlace;
+
+// Lines may be very long and are searched by hand: std::regex calls itself for every letter.
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// Takes the letters of a set off the beginning of a text.
+template <class Set>
+std::string_view take_while(std::string_view& text, const Set& belongs) {
+  const auto end = std::find_if_not(text.begin(), text.end(), belongs);
+  const std::string_view taken = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  text.remove_prefix(taken.size());
+  return taken;
+}
+
+bool is_digit(char letter) {
+  return letter >= '0' && letter <= '9';
+}
+
+bool is_key_letter(char letter) {
+  return is_digit(letter) || (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+         letter == '_' || letter == '-' || letter == '.';
+}
+
+/// Reads the number in front of a line " 12 | text" of the message; 0 where there is none.
+int cited_line(std::string_view line) {
+  line = line.substr(std::min(line.find_first_not_of(' '), line.size()));
+  const std::string_view digits = take_while(line, is_digit);
+  int number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return line.starts_with(" |") ? number : 0;
+}
 
 /// Reads the places that the message points at: lines " 12 | text" each followed by "    |   ^--- remark".
 std::vector<Place> cited_places(const std::string& message) {
-  static const std::regex numbered(R"(^\s*(\d+) \| ?.*$)");
   std::vector<Place> places;
   std::istringstream text(message);
-  std::smatch match;
   for (std::string line; std::getline(text, line);) {
-    if (std::regex_match(line, match, numbered)) {
-      places.push_back({std::stoi(match[1]), 0});
+    if (const int number = cited_line(line); number > 0) {
+      places.push_back({number, 0});
     } else if (!places.empty() && places.back().column == 0) {
       const auto bar = line.find("| ");
       const auto mark = line.find_first_of("^~", bar);
@@ -36,48 +72,82 @@ std::vector<Place> cited_places(const std::string& message) {
 
 /// Explains a duplicate, which the library reports with both of its places.
 void explain_duplicate(InputProblem& problem, const std::string& message, const std::vector<Place>& places) {
-  static const std::regex name(R"re(\("([^"]*)"\))re");
-  std::smatch match;
-  const std::string key = std::regex_search(message, match, name) ? match[1].str() : "a key";
+  const auto begin = message.find("(\"");
+  const auto end = message.find("\")", begin);
+  const bool named = begin != std::string::npos && end != std::string::npos;
+  const std::string key = named ? message.substr(begin + 2, end - begin - 2) : "a key";
   const bool table = message.find(": table (") != std::string::npos;
   problem.complaint = fmt::format("{} is given twice, first in line {}", table ? '[' + key + ']' : key,
                                   places.empty() ? 0 : places.front().line);
   problem.remedy = table ? "put all its keys under one heading" : "keep one of the two";
 }
 
+/// Holds a line "key = value # remark" without its remark.
+struct Assignment {
+  std::string key;
+  std::string value;
+  int column = 0;  ///< of the value
+};
+
+std::optional<Assignment> assignment_in(const std::string& line) {
+  std::string_view rest = std::string_view(line).substr(0, line.find('#'));
+  const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t'; };
+  take_while(rest, is_blank);
+  const std::string_view key = take_while(rest, is_key_letter);
+  take_while(rest, is_blank);
+  if (key.empty() || !rest.starts_with('=')) return std::nullopt;
+  rest.remove_prefix(1);
+  take_while(rest, is_blank);
+  return Assignment{std::string(key), std::string(trimmed(rest)),
+                    static_cast<int>(rest.data() - line.data()) + 1};
+}
+
+/// Tells whether a number lacks the digits on one side of its point.
+bool is_incomplete(std::string_view value) {
+  if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
+  const auto point = value.find('.');
+  const std::string_view before = value.substr(0, point);
+  const std::string_view after = point == std::string_view::npos ? "" : value.substr(point + 1);
+  return point != std::string_view::npos && before.empty() != after.empty() &&
+         std::all_of(before.begin(), before.end(), is_digit) &&
+         std::all_of(after.begin(), after.end(), is_digit);
+}
+
+/// Tells whether a value begins with a number such as 1,5.
+bool has_decimal_comma(std::string_view value) {
+  if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
+  const bool before = !take_while(value, is_digit).empty();
+  if (!before || !value.starts_with(',')) return false;
+  value.remove_prefix(1);
+  const bool after = !take_while(value, is_digit).empty();
+  return after && (value.empty() || value.front() == ' ' || value.front() == '\t');
+}
+
 /// Explains a key that lacks its value; tells whether it was one.
-bool explain_missing_value(InputProblem& problem, const std::string& line) {
-  static const std::regex bare(R"(^\s*([A-Za-z0-9_.\-]+)\s*=\s*(#.*)?$)");
-  std::smatch match;
-  if (!std::regex_match(line, match, bare)) return false;
-  problem.key = match[1];
+bool explain_missing_value(InputProblem& problem, const Assignment& line) {
+  if (!line.value.empty()) return false;
+  problem.key = line.key;
   problem.complaint = "has no value";
   problem.remedy = "write one behind '=', or put # before the line";
   return true;
 }
 
 /// Explains a value that lacks its quotes, the commonest slip; tells whether it was one.
-bool explain_missing_quotes(InputProblem& problem, const std::string& line) {
-  static const std::regex unquoted(
-      R"(^\s*([A-Za-z0-9_.\-]+)\s*=\s*([^"'\[\]{}#=]*[^"'\[\]{}#=\s])\s*(#.*)?$)");
-  static const std::regex incomplete(R"(^[+\-]?(\.\d+|\d+\.)$)");
-  static const std::regex decimal_comma(R"(^[+\-]?\d+,\d+(\s.*)?$)");
-  std::smatch match;
-  if (!std::regex_match(line, match, unquoted) || std::regex_match(match[2].str(), incomplete)) return false;
-  const std::string key = match[1], value = match[2];
-  problem.column = static_cast<int>(match.position(2)) + 1;
-  problem.key = key;
-  problem.value = value;
-  if (std::regex_match(value, decimal_comma)) {
-    std::string number = value;
+bool explain_missing_quotes(InputProblem& problem, const Assignment& line) {
+  const bool plain = line.value.find_first_of("\"'[]{}=") == std::string::npos;
+  if (!plain || is_incomplete(line.value)) return false;
+  problem.column = line.column;
+  problem.key = line.key;
+  problem.value = shortened(line.value);
+  if (has_decimal_comma(line.value)) {
+    std::string number = line.value;
     number.replace(number.find(','), 1, ".");
-    const bool bare = number.find(' ') == std::string::npos;
+    const char* quote = number.find(' ') == std::string::npos ? "" : "\"";
     problem.complaint = "a number has a decimal comma";
-    problem.remedy =
-        bare ? fmt::format("write {} = {}", key, number) : fmt::format("write {} = \"{}\"", key, number);
+    problem.remedy = fmt::format("write {} = {}{}{}", line.key, quote, shortened(number), quote);
   } else {
     problem.complaint = "the value is not in quotes";
-    problem.remedy = fmt::format("write {} = \"{}\"", key, value);
+    problem.remedy = fmt::format("write {} = \"{}\"", line.key, problem.value);
   }
   return true;
 }
@@ -117,11 +187,23 @@ void explain_by_fragment(InputProblem& problem, const std::string& message) {
   problem.remedy = "write key = value under [table] headings, values with units in quotes";
 }
 
+/// Finds places of the text that the library read in the one that the user wrote.
+std::vector<Place> places_as_written(std::vector<Place> places, const TomlTexts& texts) {
+  const TextPlaces read(texts.read.text()), written(texts.written);
+  for (Place& place : places) place = written.at(texts.read.original(read.offset_of(place)));
+  return places;
+}
+
+std::string line_of(const std::string& text, int line) {
+  const std::size_t begin = TextPlaces(text).offset_of({line, 1});
+  return text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
+}
+
 }  // namespace
 
 InputProblem syntax_problem(const std::string& library_message, const std::string& file,
-                            const std::vector<std::string>& lines) {
-  const std::vector<Place> places = cited_places(library_message);
+                            const TomlTexts& texts) {
+  const std::vector<Place> places = places_as_written(cited_places(library_message), texts);
   InputProblem problem;
   problem.file = file;
   if (!places.empty()) {
@@ -138,10 +220,11 @@ InputProblem syntax_problem(const std::string& library_message, const std::strin
     problem.line = places.front().line;
     problem.column = places.front().column;
   }
-  const auto index = static_cast<std::size_t>(problem.line) - 1;
-  if (problem.line > 0 && index < lines.size() && !open_ended &&
-      (explain_missing_value(problem, lines[index]) || explain_missing_quotes(problem, lines[index])))
-    return problem;
+  if (problem.line > 0 && !open_ended) {
+    const std::optional<Assignment> line = assignment_in(line_of(texts.written, problem.line));
+    if (line && (explain_missing_value(problem, *line) || explain_missing_quotes(problem, *line)))
+      return problem;
+  }
   explain_by_fragment(problem, library_message);
   return problem;
 }

@@ -2,15 +2,21 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "base/error.hpp"
+#include "io/toml_scan.hpp"
 
 namespace fiberfate {
 
+/// Holds the text as the user wrote it and as the library read it.
+struct TomlTexts {
+  const std::string& written;
+  const BrokenText& read;
+};
+
 /// Translates the library's many-line message ("[error] … 3 | key = 19 um … ^--- expected newline") into one
-/// problem with place, complaint and remedy; `lines` are the lines of the file.
+/// problem with place, complaint and remedy.
 [[nodiscard]] InputProblem syntax_problem(const std::string& library_message, const std::string& file,
-                                          const std::vector<std::string>& lines);
+                                          const TomlTexts& texts);
 
 }  // namespace fiberfate

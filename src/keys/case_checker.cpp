@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
+#include <system_error>
+
+#include "io/input_file.hpp"
 
 #include "keys/key_table.hpp"
 
@@ -113,8 +116,11 @@ std::string CaseChecker::cite(const std::string& key) const {
 
 void CaseChecker::check_file(const std::string& key, const std::string& path) {
   if (named_files_ == NamedFiles::may_be_gone || path.empty()) return;
-  if (!std::ifstream(path))
-    error(key, "there is no such file", fmt::format("check the path; it means '{}'", path));
+  const std::string fault = reading_fault(path);
+  if (fault.empty()) return;
+  std::error_code reason;
+  const bool missing = !std::filesystem::exists(path, reason) && !reason;
+  error(key, missing ? "there is no such file" : fault, fmt::format("check the path; it means '{}'", path));
 }
 
 }  // namespace fiberfate

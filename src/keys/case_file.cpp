@@ -34,6 +34,7 @@ const CaseKind& kind_of(const TomlDocument& document, const CaseKinds& kinds) {
   if (entry == nullptr) {
     InputProblem problem;
     problem.file = document.name();
+    problem.line = problem.column = 1;  // where it should stand
     problem.key = "study";
     problem.complaint = "not given, so nothing else can be checked";
     problem.remedy = fmt::format("add study = {} above the first [table]", listed(names));
@@ -180,6 +181,8 @@ LoadedCase read_case(TomlDocument document, const std::string& folder, NamedFile
       if ((a.line == 0) != (b.line == 0)) return b.line == 0;
       return a.line != b.line ? a.line < b.line : a.column < b.column;
     });
+    for (InputProblem& one : all)
+      if (one.file == loaded.path && one.line == 0) one.line = one.column = 1;  // stands nowhere yet
     throw InputError(std::move(all));
   }
   for (const InputProblem& warning : checker.warnings()) loaded.warnings.push_back(warning.message());

@@ -67,9 +67,16 @@ std::string how_to_write(const Units& units) {
 }
 
 /// A bare number that is out of range has often been meant in another unit.
-std::string bare_remark(const TomlValue& value, const Units& units) {
-  if (units.si == "1" || std::holds_alternative<std::string>(value.data)) return "";
-  return fmt::format(" (a number without unit is in {})", units.si);
+Complaint out_of_range(double number, const TomlValue& value, const Units& units, const Range& range) {
+  const std::string remedy = "give " + describe_range(range, units);
+  const bool bare = !std::holds_alternative<std::string>(value.data);
+  if (bare && units.si != "1")
+    return {"out of range", remedy + fmt::format(" (a number without unit is in {})", units.si)};
+  const bool is_percentage = units.si == "1" && range.high == 1 && number > 1 && number <= 100;
+  if (bare && is_percentage)
+    return {fmt::format("out of range; it means {:g} %", 100 * number),
+            fmt::format("{}, or \"{:g} %\"", remedy, number)};
+  return {"out of range", remedy};
 }
 
 }  // namespace
@@ -111,9 +118,7 @@ Reading<double> read_quantity(const TomlValue& value, const Units& units, const 
     return Complaint{fmt::format("{} is not a quantity", value.kind()), how_to_write(units)};
   }
   if (!std::isfinite(number)) return Complaint{"not a finite number", how_to_write(units)};
-  if (!range.contains(number))
-    return Complaint{"out of range",
-                     fmt::format("give {}{}", describe_range(range, units), bare_remark(value, units))};
+  if (!range.contains(number)) return out_of_range(number, value, units, range);
   return number;
 }
 

@@ -47,18 +47,17 @@ std::vector<Complaint> read_row(const TomlValue& value, const std::vector<Column
 std::vector<Complaint> read_file(const std::string& path, const std::vector<Column>& columns, Rows& rows) {
   std::vector<Complaint> complaints;
   try {
-    rows = read_number_file(path, columns.size());
+    for (NumberRow& row : read_number_file(path, columns.size())) {
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (columns[i].range.contains(row.numbers[i])) continue;
+        complaints.push_back(
+            {fmt::format("{}:{}: {} = {} is out of range", path, row.line, columns[i].name, row.numbers[i]),
+             "give " + describe_range(columns[i].range, {columns[i].units.si, ""})});
+      }
+      rows.push_back(std::move(row.numbers));
+    }
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) complaints.push_back({problem.message(), ""});
-    return complaints;
-  }
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i].range.contains(rows[row][i])) continue;
-      complaints.push_back(
-          {fmt::format("{}: row {}: {} = {} is out of range", path, row + 1, columns[i].name, rows[row][i]),
-           "give " + describe_range(columns[i].range, {columns[i].units.si, ""})});
-    }
   }
   return complaints;
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "io/csv_table.hpp"
+#include "io/delimited_table.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
@@ -19,6 +19,7 @@ namespace {
 struct FiberShapes {
   std::vector<std::vector<Vec3>> fibers;
   std::vector<std::uint16_t> kinds;  ///< one a fiber; empty: all are of the first kind
+  std::vector<int> lines = {};       ///< of the text where each begins; empty where the file is none
   std::optional<Cell> cell;
 };
 
@@ -33,14 +34,15 @@ FiberShapes shapes_of(const FiberState& state) {
 }
 
 FiberShapes shapes_of_table(const std::string& path) {
-  const CsvTable table = read_csv(path);
-  const std::vector<double>& fiber = table.column("fiber");
-  const std::vector<double>& x = table.column("x_m");
-  const std::vector<double>& y = table.column("y_m");
-  const std::vector<double>& z = table.column("z_m");
+  const DelimitedTable table(path);
+  const auto column = [&table](const char* name) { return table.numbers(table.column_named(name)); };
+  const std::vector<double> fiber = column("fiber"), x = column("x_m"), y = column("y_m"), z = column("z_m");
   FiberShapes shapes;
   for (std::size_t row = 0; row < fiber.size(); ++row) {
-    if (row == 0 || fiber[row] != fiber[row - 1]) shapes.fibers.emplace_back();
+    if (row == 0 || fiber[row] != fiber[row - 1]) {
+      shapes.fibers.emplace_back();
+      shapes.lines.push_back(table.line_of(row));
+    }
     shapes.fibers.back().emplace_back(x[row], y[row], z[row]);
   }
   return shapes;
@@ -50,6 +52,7 @@ FiberShapes read_shapes(const std::string& path) {
   if (path.ends_with(".h5")) return shapes_of(read_checkpoint(path).state);
   if (path.ends_with(".vtkhdf")) {
     const VtkhdfReader reader(path);
+    if (reader.times().empty()) throw StorageError(path + " holds no frames");
     return shapes_of(fibers_of(reader.read(reader.times().size() - 1)));
   }
   if (path.ends_with(".csv")) return shapes_of_table(path);
@@ -87,7 +90,9 @@ FiberState read_fiber_file(const std::string& path, const std::vector<FiberMater
       append_fiber(state, {shapes.fibers[i], shapes.kinds.empty() ? std::uint16_t{0} : shapes.kinds[i]});
     } catch (const InputError& error) {
       const InputProblem& problem = error.problems().front();
-      throw InputError(fmt::format("{}: fiber {}: {}", path, i + 1, problem.complaint), problem.remedy);
+      const int line = shapes.lines.empty() ? 0 : shapes.lines[i];
+      throw InputError({{path, line, line > 0 ? 1 : 0, "", "",
+                         fmt::format("fiber {}: {}", i + 1, problem.complaint), problem.remedy}});
     }
   }
   return state;

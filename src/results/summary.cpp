@@ -1,6 +1,7 @@
 // Writes and reads summary.json.
 #include "results/summary.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -38,6 +39,13 @@ Json timings_of(const PhaseTimes& times) {
   for (std::size_t phase = 0; phase < phase_count; ++phase)
     timings[phase_names[phase]] = times.seconds(static_cast<Phase>(phase));
   return timings;
+}
+
+/// Gives the numbers of a list; none where it is no list or holds something else.
+std::vector<double> numbers_in(const Json& json) {
+  const bool all = json.is_array() &&
+                   std::all_of(json.begin(), json.end(), [](const Json& one) { return one.is_number(); });
+  return all ? json.get<std::vector<double>>() : std::vector<double>{};
 }
 
 }  // namespace
@@ -82,7 +90,7 @@ void write_summary(const std::string& path, const RunSummary& summary) {
   put("max_overlap_radii", summary.max_overlap);
   if (summary.timings) json["timings"] = timings_of(*summary.timings);
   for (const auto& [key, value] : summary.own) json[key] = json_of(value);
-  replace_file(path, json.dump(indent) + '\n');
+  replace_file(path, json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 /// Holds the parsed file, so that the header need not know the JSON library.
@@ -96,6 +104,8 @@ SummaryFile::SummaryFile(const std::string& path) : document_(std::make_unique<D
   } catch (const Json::parse_error& error) {
     throw StorageError("cannot read " + path + ": " + error.what());
   }
+  if (!document_->json.is_object())
+    throw StorageError("cannot read " + path + ": it holds no values by name");
 }
 SummaryFile::~SummaryFile() = default;
 
@@ -106,31 +116,39 @@ double SummaryFile::number(const std::string& key) const {
 }
 
 std::int64_t SummaryFile::count(const std::string& key) const {
-  return document_->json.value(key, std::int64_t{0});
+  const auto found = document_->json.find(key);
+  return found != document_->json.end() && found->is_number() ? found->get<std::int64_t>() : 0;
 }
 
 std::string SummaryFile::text(const std::string& key) const {
-  return document_->json.value(key, std::string{});
+  const auto found = document_->json.find(key);
+  return found != document_->json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
 Mat3 SummaryFile::tensor(const std::string& key) const {
   Mat3 tensor = Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto found = document_->json.find(key);
-  if (found == document_->json.end()) return tensor;
-  for (std::size_t i = 0; i < 9; ++i)
-    tensor(static_cast<int>(i / 3), static_cast<int>(i % 3)) = found->at(i / 3).at(i % 3).get<double>();
+  if (found == document_->json.end() || !found->is_array() || found->size() != 3) return tensor;
+  for (int i = 0; i < 3; ++i) {
+    const std::vector<double> row = numbers_in((*found)[static_cast<std::size_t>(i)]);
+    if (row.size() == 3) tensor.row(i) = Vec3(row[0], row[1], row[2]).transpose();
+  }
   return tensor;
 }
 
 std::vector<double> SummaryFile::numbers(const std::string& key) const {
-  return document_->json.value(key, std::vector<double>{});
+  const auto found = document_->json.find(key);
+  return found == document_->json.end() ? std::vector<double>{} : numbers_in(*found);
 }
 
 std::vector<double> SummaryFile::timings() const {
   std::vector<double> seconds;
   const auto timings = document_->json.find("timings");
-  if (timings == document_->json.end()) return seconds;
-  for (const char* phase : phase_names) seconds.push_back(timings->value(phase, 0.0));
+  if (timings == document_->json.end() || !timings->is_object()) return seconds;
+  for (const char* phase : phase_names) {
+    const auto found = timings->find(phase);
+    seconds.push_back(found != timings->end() && found->is_number() ? found->get<double>() : 0.0);
+  }
   return seconds;
 }
 

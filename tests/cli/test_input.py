@@ -201,7 +201,7 @@ EXACT = {
     "weight without densities": (
         edit("count = 10", 'weight_fraction = "10 %"'),
         ['case.toml:6:1: fibers.density: not given; fibers.weight_fraction needs it: add density = "2550 kg/m3" under [fibers]',
-         'case.toml: matrix.density: not given; fibers.weight_fraction needs it: add density = "905 kg/m3" under [matrix]',
+         'case.toml:1:1: matrix.density: not given; fibers.weight_fraction needs it: add density = "905 kg/m3" under [matrix]',
          "2 errors; nothing was written"]),
     "neither count nor fraction": (
         edit("count = 10\n", ""),
@@ -237,7 +237,7 @@ EXACT = {
         ]),
     "no study": (
         edit('study = "shear_cell"\n', ""),
-        ["case.toml: study: not given, so nothing else can be checked: add study = "]),
+        ["case.toml:1:1: study: not given, so nothing else can be checked: add study = "]),
     "misspelt study": (
         edit('"shear_cell"', '"shear-cell"'),
         ['case.toml:1:9: study = "shear-cell": there is no such study, so nothing else can be checked: did you mean '
@@ -341,7 +341,66 @@ def test_files_cut_off_anywhere_are_refused_or_whole(tmp_path):
 def test_bytes_that_are_no_text_are_refused(tmp_path):
     (tmp_path / "case.toml").write_bytes(bytes(range(256)) * 4)
     done = call("check", "case.toml", folder=tmp_path, expect=2)
-    assert done.stderr.startswith("case.toml: is not a text file")
+    assert done.stderr.startswith("case.toml:1:1: is not a text file")
+
+
+@pytest.mark.parametrize("line", ["k = " + "[" * 6000, "k = " + "{a=" * 10000 + "1" + "}" * 10000, "a" + ".a" * 20000 + " = 1", "[a" + ".a" * 20000 + "]",
+                                  "k = " + "x" * 300000, "k = [" + "1.5, " * 56000, "k = {" + "a = 1, " * 40000 + "}", "x" * 100000])
+def test_hostile_lines_are_refused_with_their_place(tmp_path, line):
+    (tmp_path / "case.toml").write_text(CASE + line + "\n", encoding="utf-8")
+    done = subprocess.run([PROGRAM, "check", "case.toml"], capture_output=True, text=True, timeout=60, check=False, cwd=tmp_path)
+    assert done.returncode == 2, done.stderr[:500]
+    assert done.stderr.startswith("case.toml:19:") and len(done.stderr) < 2000, done.stderr[:500]
+
+
+def test_a_long_list_is_read(tmp_path):
+    text = 'study = "orientation"\n[flow]\nkind = "table"\ntable = [' + ", ".join(f"[{k}, 1.5]" for k in range(30000)) + "]\n"
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    done = subprocess.run([PROGRAM, "check", "case.toml"], capture_output=True, text=True, timeout=60, check=False, cwd=tmp_path)
+    assert done.returncode in (0, 2) and "program itself" not in done.stderr
+
+
+@pytest.mark.parametrize("end", ["\0", "\r", "\x1b[31m", "\x7f"])
+def test_what_is_no_text_is_refused_with_its_place(tmp_path, end):
+    (tmp_path / "case.toml").write_bytes((CASE + "x" + end + "y = 1\n").encode())
+    assert call("check", "case.toml", folder=tmp_path, expect=2).stderr.startswith("case.toml:19:2: ")
+
+
+def test_what_is_no_file_is_refused_at_once(tmp_path):
+    os.mkfifo(tmp_path / "pipe.toml")
+    os.symlink("loop.toml", tmp_path / "loop.toml")
+    for path, words in (("/dev/zero", "is a pipe or a device"), ("pipe.toml", "is a pipe or a device"), ("loop.toml", "symbolic links"),
+                        ("x" * 300, "name too long"), (b"\xff\xfe.toml", "cannot be read")):
+        done = subprocess.run([PROGRAM.encode(), b"check", os.fsencode(path)], capture_output=True, timeout=60, check=False, cwd=tmp_path)
+        assert done.returncode == 2 and words.encode().lower() in done.stderr.lower(), done.stderr
+    for name in ("pipe.toml", "loop.toml", "x" * 300):
+        messages = refuse(tmp_path, CASE + f'[cluster]\nsource = "file"\nfile = "{name}"\n')
+        assert messages[-1].startswith("case.toml:21:8: cluster.file"), messages
+
+
+@pytest.mark.parametrize("old, new, words", [
+    ('rate = "10 1/s"', 'rate = "20 s"', "'s' is the reciprocal of '1/s', and is not converted into it"),
+    ('duration = "1 s"', 'duration = "50 Hz"', "'Hz' is the reciprocal of 's'"),
+    ('diameter = "19 um"', 'diameter = "50000 1/m"', "'1/m' is the reciprocal of 'm'"),
+    ('rate = "10 1/s"', 'rate = "30 rpm"', "'rpm' counts turns or angles"),
+    ('length = "0.25 mm"', 'length = "0,25 mm"', "decimal comma"),
+    ('length = "0.25 mm"', 'length = "1 000 um"', "two numbers"),
+    ("count = 10", "weight_fraction = 20", "weight_fraction = 20: out of range; it means 2000 %: give 0 to 1, or \"20 %\"")])
+def test_numbers_are_read_as_they_are_meant_or_not_at_all(tmp_path, old, new, words):
+    assert any(words in line for line in refuse(tmp_path, edit(old, new)))
+
+
+def test_typographic_signs_are_read(tmp_path):
+    text = edit('rate = "10 1/s"', 'rate = "10\u00a0s⁻¹"').replace('"19 um"', '"19\u202fµm"')
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    shown = call("check", "case.toml", folder=tmp_path, expect=0).stdout
+    assert "rate = 10.0\n" in shown and "diameter = 1.9e-05\n" in shown
+
+
+def test_a_topic_that_is_none_is_not_guessed(tmp_path):
+    done = call("explain", "packing", folder=tmp_path, expect=2)
+    assert "no study, table or key 'packing'" in done.stderr and "spacing" not in done.stderr
+    assert "did you mean 'friction'?" in call("explain", "fricton", folder=tmp_path, expect=2).stderr
 
 
 def test_unknown_commands_and_options(tmp_path):

@@ -83,16 +83,64 @@ def test_measured_lists_feed_other_studies(tmp_path):
     ("length\n1\n", '[lengths]\nfile = "m.csv"\nunit = "mm"\n', ["lengths.file", "no such file"]),
     ("length\n1\n", '[lengths]\nfile = "l.csv"\nunit = "kg"\n', ["lengths.unit", "dimension"]),
     ("length\n1\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\ncolumn = "lenght"\n', ["did you mean 'length'"]),
-    ("length\n1\n0\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["length 2 of the list is 0", "positive"]),
-    ("length\n1,5\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["l.csv:2: 2 values for 1 columns", "decimal point"]),
-    ("length\nlong\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["l.csv:2: 'long' is not a number"]),
+    ("length\n1\n-2\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["l.csv:3:1: a length is -2", "positive"]),
+    ("length\n0\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["no fibers but of zero length"]),
+    ("length\n1,5\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["l.csv:2:1: '1,5' has a decimal comma", "decimal points"]),
+    ("length\nlong\n", '[lengths]\nfile = "l.csv"\nunit = "mm"\n', ["case.toml:3:8: lengths.file", "l.csv:2:1: 'long' is not a finite number"]),
     ("theta,phi\n1,2\n", '[orientation]\nfile = "l.csv"\ncut_normal = [0, 0, 1]\n', ["orientation.aspect_ratio"]),
-    ("x,y\n1,2\n", '[orientation]\nfile = "l.csv"\n', ["no column 'theta'", "x, y"]),
+    ("x,y\n1,2\n", '[orientation]\nfile = "l.csv"\n', ["no column 'theta'", "'x', 'y'"]),
     ("", "", ["lengths.file", "nor is orientation.file"])])
 def test_faults_of_lists_are_told(tmp_path, lists, text, words):
     refused = run("check", measured(tmp_path, {"l.csv": lists}, text), expect=2)
     for word in words:
         assert word in refused.stdout + refused.stderr
+
+
+COUNTER = " ,Area,Angle,Length\n1,210.5,12.0,412.0\n2,198.1,-40.5,655.0\n3,305.7,88.1,208.5\n4,150.2,3.3,1204.5\n"
+SEMICOLONS = "Nr.;Länge [mm];Durchmesser\n1;0,512;0,017\n2;1,204;0,017\n\n3;0;0,018\n4;0,087;0,018\n"
+
+
+def test_a_counter_is_not_taken_for_lengths(tmp_path):
+    case = measured(tmp_path, {"l.csv": COUNTER}, '[lengths]\nfile = "l.csv"\nunit = "um"\n')
+    refused = run("check", case, expect=2).stderr
+    for words in ("lengths.column: not given", "column 1 without a name, 'Area', 'Angle', 'Length'", 'column = "Length"'):
+        assert words in refused
+    _, values = result_of(tmp_path, case, "--set", "lengths.column=Length")
+    assert values["L_N_m"] == pytest.approx(620.0e-6, rel=1e-12)
+    assert values["L_W_m"] == pytest.approx(843.976e-6, rel=1e-6)
+
+
+@pytest.mark.parametrize("keys", ['unit = "mm"', "", 'column = "Länge"', 'column = "Länge [mm]"\nunit = "mm"'])
+def test_semicolons_and_decimal_commas_are_read(tmp_path, keys):
+    case = measured(tmp_path, {"l.csv": SEMICOLONS}, f'[lengths]\nfile = "l.csv"\n{keys}\n')
+    folder, values = result_of(tmp_path, case)
+    assert values["L_N_m"] == pytest.approx(0.601e-3, rel=1e-12)
+    assert values["L_W_m"] == pytest.approx(0.95359e-3, rel=1e-5)
+    assert values["measured_lengths"] == 3 and values["lengths_column"] == "Länge [mm]"
+    assert values["left_out_empty_lines"] == 1 and values["left_out_zero_lengths"] == 1
+    told = "1 empty line and 1 row of zero length are left out"
+    assert told in (folder / "log.txt").read_text(encoding="utf-8")
+    run("report", folder)
+    assert told in (folder / "report.html").read_text(encoding="utf-8")
+    assert told in run("check", case).stdout
+
+
+def test_the_unit_of_a_heading_is_not_contradicted(tmp_path):
+    case = measured(tmp_path, {"l.csv": SEMICOLONS}, '[lengths]\nfile = "l.csv"\nunit = "um"\n')
+    assert "'um' contradicts the heading 'Länge [mm]'" in run("check", case, expect=2).stderr
+
+
+@pytest.mark.parametrize("column", ["", 'column = "Length"\n'])
+def test_part_of_a_number_is_not_taken_for_it(tmp_path, column):
+    case = measured(tmp_path, {"l.csv": "Length, mm\n1,204\n3,512\n2,087\n"}, f'[lengths]\nfile = "l.csv"\nunit = "mm"\n{column}')
+    assert "decimal comma" in run("check", case, expect=2).stderr
+
+
+def test_lists_in_other_encodings_and_with_tabs_are_read(tmp_path):
+    case = measured(tmp_path, {"l.csv": ""}, '[lengths]\nfile = "l.csv"\n')
+    for text in ("Länge [mm]\tLabel\r\n1,5\ta 1\r\n2,25\tb 2\r\n".encode("latin-1"), "\ufeffLength (mm);Label\n1,5;a\n2,25;b\n".encode()):
+        (tmp_path / "l.csv").write_bytes(text)
+        assert result_of(tmp_path, case, "--overwrite")[1]["L_N_m"] == pytest.approx(1.875e-3, rel=1e-12)
 
 
 PROPERTIES = """study = "properties"

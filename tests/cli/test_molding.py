@@ -81,7 +81,7 @@ def test_a_table_gives_the_same_thicknesses(tmp_path):
     ("1 3000\n", "; element 1 is not above 0 and at most 100 mm thick: "),
     ("999 3\n", "; element 999 is no triangle of the mesh: "),
     ("1.5 3\n", "1.5 is no element's number"),
-    ("1 3\n2 3 4\n", "walls.csv:2: not a row of 2 numbers"),
+    ("1 3\n2 3 4\n", "walls.csv:2:5: not a row of 2 numbers"),
     (None, "part.thickness_file")])
 def test_faults_of_a_table_of_thicknesses_are_named(tmp_path, rows, message):
     for name in ("wedge.msh", "case.toml"):
@@ -507,8 +507,11 @@ def mesh(points, triangles):
 CORNERS = [(0, 0, 0), (10, 0, 0), (10, 10, 0), (0, 10, 0)]
 
 
+MOEBIUS = [(20 * math.cos(1.2566 * k), 20 * math.sin(1.2566 * k), 3 * (k % 2)) for k in range(5)]
+
+
 @pytest.mark.parametrize("points, triangles, message", [
-    (CORNERS, [(1, 2, 3), (1, 4, 3)], "turned opposite ways"),
+    (MOEBIUS, [(k + 1, (k + 1) % 5 + 1, (k + 2) % 5 + 1) for k in range(5)], "turned opposite ways"),
     (CORNERS + [(5, 5, 9)], [(1, 2, 3), (3, 4, 1), (1, 3, 5)], "belongs to 3 triangles"),
     (CORNERS + [(50, 0, 0), (60, 0, 0), (60, 9, 0)], [(1, 2, 3), (1, 3, 4), (5, 6, 7)], "hangs on nothing"),
     (CORNERS + [(5, 5, 0)], [(1, 2, 3), (1, 3, 4), (1, 5, 3)], "degenerate"),
@@ -525,6 +528,63 @@ def test_faults_of_a_mesh_are_named(tmp_path, points, triangles, message):
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     done = run("run", tmp_path / "case.toml", "--out", tmp_path / "r", expect=2)
     assert message in done.stderr
+
+
+STRIP = """study = "molding"
+[part]
+kind = "file"
+file = "strip.stl"
+file_unit = "mm"
+thickness = "2 mm"
+gate = "given"
+[gates]
+places = [["G", "0 mm", "0 mm", "0 mm"]]
+[material]
+preset = "newtonian"
+[machine]
+flow_rate = "8 cm^3/s"
+melt_temperature = "500 K"
+mold_temperature = "400 K"
+"""
+
+
+def strip_stl(flipped=(), twice=()):
+    """Writes a strip of 20 × 10 mm in 64 facets, some of which run the wrong way round or stand there twice."""
+    facets = []
+    for i in range(8):
+        for j in range(4):
+            a, b, c, d = ((2.5 * (i + k), 2.5 * (j + m)) for k, m in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            facets += [[a, b, c], [a, c, d]]
+    for number in flipped:
+        facets[number].reverse()
+    facets += [facets[number] for number in twice]
+    text = "".join("FACET NORMAL 0 0 0\nOUTER LOOP\n" + "".join(f"VERTEX {x} {y} 0\n" for x, y in facet) + "ENDLOOP\nENDFACET\n" for facet in facets)
+    return "SOLID " + "strip" * 200 + "\n" + text + "ENDSOLID\n"
+
+
+def test_a_flipped_facet_is_turned_and_told(tmp_path):
+    (tmp_path / "case.toml").write_text(STRIP, encoding="utf-8")
+    (tmp_path / "strip.stl").write_text(strip_stl(), encoding="utf-8")
+    sound = run("check", tmp_path / "case.toml")
+    assert "warning" not in sound.stderr
+    (tmp_path / "strip.stl").write_text(strip_stl(flipped=[21], twice=[4, 9]), encoding="utf-8")
+    mended = run("check", tmp_path / "case.toml")
+    assert "1 of 64 triangles is turned to agree with the others" in mended.stderr
+    assert "2 of 66 facets are given twice and left out" in mended.stderr
+    assert mended.stdout == sound.stdout
+
+
+def test_a_mesh_that_gmsh_crashes_on_is_refused_in_words(tmp_path):
+    (tmp_path / "case.toml").write_text(STRIP.replace("strip.stl", "part.msh"), encoding="utf-8")
+    (tmp_path / "part.msh").write_bytes(b"$MeshFormat\n4.1 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Entities\n" + b"\xff" * 64 + b"\n$EndEntities\n")
+    assert "part.msh" in run("check", tmp_path / "case.toml", expect=2).stderr
+
+
+@pytest.mark.parametrize("size", ["1e-300 m", "1e-12 m"])
+def test_sizes_beyond_the_mesher_are_refused_in_words(tmp_path, size):
+    for key in ("part.length", "part.width", "part.mesh_size", "part.thickness"):
+        done = run("check", CASES / "30_plaque" / "case.toml", "--set", f"{key}={size}", expect=2)
+        assert "program itself" not in done.stderr
 
 
 def file_case(tmp_path, points, triangles, gate):

@@ -8,7 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "io/csv_table.hpp"
+#include "io/delimited_table.hpp"
+#include "io/input_file.hpp"
 #include "studies/calibration/molds.hpp"
 
 namespace fiberfate {
@@ -52,9 +53,9 @@ double value_in(const std::string& text, const std::string& unit) {
   }
 }
 
-void read_histogram(const CsvTable& table, const std::string& time, MeasuredSeries& series) {
-  const std::vector<double>& low = table.column("length_low_m");
-  const std::vector<double>& high = table.column("length_high_m");
+void read_histogram(const DelimitedTable& table, const std::string& time, MeasuredSeries& series) {
+  const std::vector<double> low = table.numbers(table.column_named("length_low_m"));
+  const std::vector<double> high = table.numbers(table.column_named("length_high_m"));
   for (std::size_t i = 0; i < low.size(); ++i) {
     if (!(low[i] < high[i]) || (i > 0 && low[i] != high[i - 1]))
       throw InputError("the bins of a histogram do not join",
@@ -66,18 +67,17 @@ void read_histogram(const CsvTable& table, const std::string& time, MeasuredSeri
 }
 
 void read_file(const std::vector<std::string>& row, const Quantity& quantity, MeasuredSeries& series) {
-  const CsvTable table = read_csv(row[2]);
-  series.values = table.column(quantity.column);
+  const DelimitedTable table(row[2]);
+  series.values = table.numbers(table.column_named(quantity.column));
   if (quantity.observed == Observed::histogram) {
     if (row.size() < 4)
       throw InputError("a histogram has no time", "give rows [condition, \"histogram\", file, time]");
     read_histogram(table, row[3], series);
   } else {
-    series.times = table.column("time_s");
+    series.times = table.numbers(table.column_named("time_s"));
   }
   const std::string deviations = std::string(quantity.column) + "_sd";
-  if (std::find(table.columns.begin(), table.columns.end(), deviations) != table.columns.end())
-    series.deviations = table.column(deviations);
+  if (table.has_column(deviations)) series.deviations = table.numbers(table.column_named(deviations));
   for (const double time : series.times)
     if (!(time >= 0)) throw InputError("a time is negative", "count times from the start of the condition");
 }
@@ -133,7 +133,7 @@ std::vector<MeasuredSeries> read_measurements(const CalibrationCase& values) {
     } catch (const StorageError& error) {
       refuse(error.what(), "give the path of a CSV file, relative to the case file");
     } catch (const InputError& error) {
-      refuse(error.problems().front().complaint, error.problems().front().remedy);
+      refuse(complaint_with_place(error.problems().front()), error.problems().front().remedy);
     }
   }
   return all;

@@ -4,59 +4,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
-#include "base/constants.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
-#include "io/csv_table.hpp"
+#include "io/input_file.hpp"
+#include "studies/measurement/lists.hpp"
 
 namespace fiberfate {
 namespace {
 
-bool is_number(const std::string& text) {
-  double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return status == std::errc() && end == text.data() + text.size();
+/// Tells the faults of a file in one, each with its place there.
+std::string told_together(const std::vector<InputProblem>& problems) {
+  constexpr std::size_t most_told = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(problems.size(), most_told); ++i)
+    text += (i > 0 ? "; " : "") + complaint_with_place(problems[i]);
+  if (problems.size() > most_told) text += fmt::format("; and {} more", problems.size() - most_told);
+  return text;
 }
 
-/// Reads a table; one without a heading has columns 1, 2, 3.
-CsvTable read_list(const std::string& path) {
-  CsvTable table;
+/// Reads a list and reports what is wrong in it, at the key that it names or else at the file's.
+template <class Read>
+void check_list(const std::string& file_key, CaseChecker& checker, const Read& read) {
   try {
-    table = read_csv(path);
-  } catch (const StorageError& problem) {
-    throw InputError(
-        problem.what(),
-        "give rows of numbers, separated by commas, with a decimal point, under a line of names");
+    read();
+  } catch (const InputError& error) {
+    const InputProblem& first = error.problems().front();
+    checker.error(first.key.empty() ? file_key : first.key, told_together(error.problems()), first.remedy);
   }
-  if (!table.columns.empty() && std::all_of(table.columns.begin(), table.columns.end(), is_number)) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      table.values[i].insert(table.values[i].begin(), std::stod(table.columns[i]));
-      table.columns[i] = std::to_string(i + 1);
-    }
-  }
-  if (table.rows() == 0) throw InputError(path + " holds no fibers", "give a row a fiber");
-  return table;
-}
-
-const std::vector<double>& column_named(const CsvTable& table, const std::string& path,
-                                        const std::string& name) {
-  if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end())
-    return table.column(name);
-  const std::string near = nearest_word(name, table.columns);
-  throw InputError(
-      fmt::format("{} has no column '{}'", std::filesystem::path(path).filename().string(), name),
-      near.empty() ? fmt::format("its columns are {}", fmt::join(table.columns, ", "))
-                   : fmt::format("did you mean '{}'?", near));
-}
-
-Texts direction_columns(const MeasuredDirectionChoices& choices) {
-  if (!choices.columns.empty()) return choices.columns;
-  return choices.form == DirectionForm::angles ? Texts{"theta", "phi"} : Texts{"p1", "p2", "p3"};
 }
 
 void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker) {
@@ -67,20 +43,16 @@ void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker
     return;
   }
   if (lengths.bin_width) checker.warn_unused({"lengths.bins"}, "a case without lengths.bin_width");
-  if (lengths.unit.empty()) {
-    checker.error("lengths.unit", "not given",
-                  "say in which unit the file is, unit = \"um\" under [lengths]");
-    return;
-  }
   try {
-    static_cast<void>(unit_factor(lengths.unit, "m"));
+    if (!lengths.unit.empty()) static_cast<void>(unit_factor(lengths.unit, "m"));
   } catch (const std::invalid_argument& problem) {
     checker.error("lengths.unit", problem.what(), "give a unit of length such as \"um\"");
     return;
   }
   checker.check_file("lengths.file", lengths.file);
   if (checker.is_sound("lengths.file"))
-    checker.report_at("lengths.file", [&] { static_cast<void>(number_average(read_lengths(lengths))); });
+    check_list("lengths.file", checker,
+               [&] { static_cast<void>(number_average(read_lengths(lengths).fibers)); });
 }
 
 void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecker& checker) {
@@ -108,8 +80,8 @@ void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecke
   checker.check_file("orientation.file", orientation.file);
   if (checker.is_sound("orientation.file") && checker.is_sound("orientation.columns") &&
       checker.is_sound("orientation.cut_normal") && checker.is_sound("orientation.aspect_ratio"))
-    checker.report_at("orientation.file",
-                      [&] { static_cast<void>(second_moment(read_directions(orientation))); });
+    check_list("orientation.file", checker,
+               [&] { static_cast<void>(second_moment(read_directions(orientation).fibers)); });
 }
 
 }  // namespace
@@ -127,12 +99,16 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
   CaseEstimate estimate;
   double rows = 0;
   if (!values.lengths.file.empty()) {
-    const std::size_t lengths = read_lengths(values.lengths).lengths.size();
+    const LengthList list = read_lengths(values.lengths);
+    const std::size_t lengths = list.fibers.lengths.size();
     estimate.facts.emplace_back("rows of lengths", std::to_string(lengths));
+    estimate.facts.emplace_back("column of lengths", list.column);
+    if (const std::string text = list.left_out.text(); !text.empty())
+      estimate.facts.emplace_back("of the lengths", text);
     rows += static_cast<double>(lengths);
   }
   if (!values.orientation.file.empty()) {
-    const std::size_t directions = read_directions(values.orientation).directions.size();
+    const std::size_t directions = read_directions(values.orientation).fibers.directions.size();
     estimate.facts.emplace_back("rows of directions", std::to_string(directions));
     rows += static_cast<double>(directions);
   }
@@ -140,36 +116,6 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
   estimate.wall_seconds = 5e-8 * rows * static_cast<double>(values.statistics.resamples);
   estimate.assumption = "50 ns a row and bootstrap sample";
   return estimate;
-}
-
-MeasuredLengths read_lengths(const MeasuredLengthChoices& choices) {
-  const CsvTable table = read_list(choices.file);
-  const double factor = unit_factor(choices.unit, "m");
-  MeasuredLengths measured;
-  measured.lengths =
-      choices.column.empty() ? table.values.front() : column_named(table, choices.file, choices.column);
-  for (double& length : measured.lengths) length *= factor;
-  if (!choices.number_column.empty())
-    measured.numbers = column_named(table, choices.file, choices.number_column);
-  return measured;
-}
-
-MeasuredDirections read_directions(const MeasuredDirectionChoices& choices) {
-  const CsvTable table = read_list(choices.file);
-  std::vector<std::vector<double>> columns;
-  for (const std::string& name : direction_columns(choices))
-    columns.push_back(column_named(table, choices.file, name));
-  const double angle = choices.angle_unit == AngleUnit::degrees ? pi / 180 : 1;
-  MeasuredDirections measured;
-  for (std::size_t i = 0; i < table.rows(); ++i)
-    measured.directions.push_back(choices.form == DirectionForm::angles
-                                      ? direction_of(angle * columns[0][i], angle * columns[1][i])
-                                      : Vec3(columns[0][i], columns[1][i], columns[2][i]));
-  if (!choices.weight_column.empty())
-    measured.weights = column_named(table, choices.file, choices.weight_column);
-  if (choices.cut_normal)
-    measured = corrected_for_cut(measured, *choices.cut_normal, choices.aspect_ratio.value_or(1));
-  return measured;
 }
 
 }  // namespace fiberfate

@@ -7,8 +7,6 @@
 
 #include "keys/case_checker.hpp"
 #include "keys/text_keys.hpp"
-#include "microstructure/length_statistics.hpp"
-#include "microstructure/orientation_statistics.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
@@ -16,9 +14,9 @@ namespace fiberfate {
 /// [lengths].
 struct MeasuredLengthChoices {
   std::string file;                       ///< CSV; empty: no lengths were measured
-  std::string column;                     ///< empty: the first
+  std::string column;                     ///< empty: the only one
   std::string number_column;              ///< fibers that a row stands for; empty: one
-  std::string unit;                       ///< of the column
+  std::string unit;                       ///< of the column; empty: in its heading
   std::optional<double> sample_diameter;  ///< of the down-sampled region, m; not given: none
   std::int64_t bins = 30;
   std::optional<double> bin_width;  ///< m, instead of a number of bins
@@ -56,10 +54,5 @@ struct MeasurementCase {
 void describe_measurement(KeyTable& table, MeasurementCase& values);
 void validate_measurement(const MeasurementCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_measurement(const MeasurementCase& values);
-
-/// Reads the lengths as they were measured, m; raises InputError with the file's line or column at fault.
-[[nodiscard]] MeasuredLengths read_lengths(const MeasuredLengthChoices& choices);
-/// Reads the directions with their weights, corrected for a cut where the case tells of one; raises as above.
-[[nodiscard]] MeasuredDirections read_directions(const MeasuredDirectionChoices& choices);
 
 }  // namespace fiberfate

@@ -8,6 +8,7 @@
 #include "results/report_document.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
+#include "studies/measurement/lists.hpp"
 #include "studies/measurement/run.hpp"
 
 namespace fiberfate {
@@ -47,7 +48,10 @@ TableSection lengths_table(const SummaryFile& summary) {
     section.rows.push_back(
         {std::string(name), number("_m"), number("_lower_m"), number("_upper_m"), number("_uncorrected_m")});
   }
-  section.caption = fmt::format("{} lengths.", summary.count("measured_lengths"));
+  const auto count = [&summary](const char* key) { return static_cast<std::size_t>(summary.count(key)); };
+  const std::string left_out = LeftOut{count("left_out_empty_lines"), count("left_out_zero_lengths")}.text();
+  section.caption = fmt::format("{} lengths in column '{}'{}.", summary.count("measured_lengths"),
+                                summary.text("lengths_column"), left_out.empty() ? "" : "; " + left_out);
   return section;
 }
 

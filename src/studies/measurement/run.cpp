@@ -8,6 +8,7 @@
 
 #include "io/csv_table.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "studies/measurement/lists.hpp"
 
 namespace fiberfate {
 namespace {
@@ -50,9 +51,12 @@ CsvTable distribution_table(const MeasuredLengths& fibers) {
   return table;
 }
 
-void evaluate_lengths(const MeasurementCase& values, Outcome& outcome) {
+void evaluate_lengths(const MeasurementCase& values, Outcome& outcome, Session& session) {
   RunSummary& summary = outcome.summary;
-  const MeasuredLengths measured = read_lengths(values.lengths);
+  const LengthList list = read_lengths(values.lengths);
+  const MeasuredLengths& measured = list.fibers;
+  session.recorder().note(fmt::format("{} lengths in column '{}'", measured.lengths.size(), list.column));
+  if (const std::string text = list.left_out.text(); !text.empty()) session.recorder().note(text);
   const MeasuredLengths fibers = values.lengths.sample_diameter
                                      ? corrected_for_sampling(measured, *values.lengths.sample_diameter)
                                      : measured;
@@ -62,6 +66,9 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome) {
   summary.number_average = intervals.number_average.estimate;
   summary.weight_average = intervals.weight_average.estimate;
   summary.own.emplace_back("measured_lengths", static_cast<std::int64_t>(measured.lengths.size()));
+  summary.own.emplace_back("lengths_column", list.column);
+  summary.own.emplace_back("left_out_empty_lines", static_cast<std::int64_t>(list.left_out.empty_lines));
+  summary.own.emplace_back("left_out_zero_lengths", static_cast<std::int64_t>(list.left_out.zero_lengths));
   append_interval(summary, "L_N", intervals.number_average);
   append_interval(summary, "L_W", intervals.weight_average);
   summary.own.emplace_back("L_N_uncorrected_m", number_average(measured));
@@ -95,9 +102,11 @@ CsvTable pole_figure(const MeasuredDirections& fibers) {
   return table;
 }
 
-void evaluate_directions(const MeasurementCase& values, Outcome& outcome) {
+void evaluate_directions(const MeasurementCase& values, Outcome& outcome, Session& session) {
   RunSummary& summary = outcome.summary;
-  const MeasuredDirections fibers = read_directions(values.orientation);
+  const DirectionList list = read_directions(values.orientation);
+  const MeasuredDirections& fibers = list.fibers;
+  if (const std::string text = list.left_out.text(); !text.empty()) session.recorder().note(text);
   const OrientationInterval interval =
       bootstrap_second_moment(fibers, values.statistics.level, static_cast<int>(values.statistics.resamples),
                               static_cast<std::uint64_t>(values.statistics.seed));
@@ -119,12 +128,12 @@ Outcome compute_measurement(const MeasurementCase& values, Session& session) {
   RunSummary& summary = outcome.summary;
   summary.seed = static_cast<std::uint64_t>(values.statistics.seed);
   if (!values.lengths.file.empty()) {
-    evaluate_lengths(values, outcome);
+    evaluate_lengths(values, outcome, session);
     session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * *summary.number_average,
                                         1e3 * *summary.weight_average));
   }
   if (!values.orientation.file.empty()) {
-    evaluate_directions(values, outcome);
+    evaluate_directions(values, outcome, session);
     const Vec3 diagonal = summary.orientation->diagonal();
     session.recorder().note(
         fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));

@@ -203,6 +203,8 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
     const MoldingSetup setup = molding_setup(values);
     const ShellMesh mesh(setup.part.shell);
     check_params(setup.params, mesh);
+    for (const std::string& remark : setup.part.remarks)
+      checker.warn("part.file", remark, "look at the mesh if that is not what it should be");
     warn_of_mesh(values, mesh, setup.params.gates, checker);
     for (const NamedPlace& place : values.output.places) {
       Gate probe;

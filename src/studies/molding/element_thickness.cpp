@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "io/input_file.hpp"
 #include "io/number_file.hpp"
 #include "io/surface_file.hpp"
 
@@ -34,19 +35,18 @@ std::string told(const std::vector<std::size_t>& elements, const char* one, cons
 ElementData read_table(const std::string& path, const std::string& key) {
   ElementData data;
   try {
-    for (const std::vector<double>& row : read_number_file(path, 2)) {
-      if (!(row[0] >= 1) || row[0] != std::floor(row[0]) || row[0] > 1e15)
-        throw InputError({{path, 0, 0, "", "", fmt::format("{:g} is no element's number", row[0]),
+    for (const NumberRow& row : read_number_file(path, 2)) {
+      const double element = row.numbers[0];
+      if (!(element >= 1) || element != std::floor(element) || element > 1e15)
+        throw InputError({{path, row.line, 1, "", "", fmt::format("{:g} is no element's number", element),
                            "give rows of an element's number and its thickness"}});
-      data.elements.push_back(static_cast<std::size_t>(row[0]));
-      data.values.push_back(row[1]);
+      data.elements.push_back(static_cast<std::size_t>(element));
+      data.values.push_back(row.numbers[1]);
     }
   } catch (const InputError& error) {
     std::vector<InputProblem> problems;
-    for (const InputProblem& one : error.problems()) {
-      const std::string line = one.line > 0 ? fmt::format(":{}", one.line) : "";
-      problems.push_back({"", 0, 0, key, "", one.file + line + ": " + one.complaint, one.remedy});
-    }
+    for (const InputProblem& one : error.problems())
+      problems.push_back({"", 0, 0, key, "", complaint_with_place(one), one.remedy});
     throw InputError(problems);
   }
   return data;
@@ -58,7 +58,7 @@ ElementData read_data(const PartChoices& part, const std::string& key) {
     return read_element_data(part.file, part.thickness_data);
   } catch (const InputError& error) {
     const InputProblem& one = error.problems().front();
-    throw InputError({{"", 0, 0, key, "", one.complaint, one.remedy}});
+    throw InputError({{"", 0, 0, key, "", complaint_with_place(one), one.remedy}});
   }
 }
 

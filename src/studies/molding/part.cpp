@@ -213,6 +213,28 @@ double foreseen_triangles(const PartChoices& part) {
   return part.kind == PartKind::file ? 0 : 2.3 * area / (part.mesh_size * part.mesh_size);
 }
 
+/// Adds the unit of the file, which may be told as a unit alone, "mm", or as a length.
+void describe_file_unit(KeyTable& table, double& unit) {
+  const Units units = {"m", "mm"};
+  const Range range = Range::positive(1e3);
+  const auto read = [&unit, units, range](const TomlValue& value) -> std::vector<Complaint> {
+    TomlValue whole = value;
+    auto* text = std::get_if<std::string>(&whole.data);
+    const bool is_alone = text != nullptr && text->find_first_of("0123456789") == std::string::npos;
+    if (is_alone) *text = "1 " + *text;
+    const Reading<double> reading = read_quantity(whole, units, range);
+    if (const auto* complaint = std::get_if<Complaint>(&reading)) return {*complaint};
+    unit = std::get<double>(reading);
+    return {};
+  };
+  const auto write = [&unit, units](NumberStyle style) { return write_quantity(unit, units, style); };
+  KeyNotes notes = {.text = "Length of one unit in that file, or the unit alone, \"mm\".",
+                    .unit = "m",
+                    .friendly = "mm",
+                    .range = range};
+  table.add({"part.file_unit", std::move(notes), "quantity", {}, read, write});
+}
+
 }  // namespace
 
 void describe_part(KeyTable& table, PartChoices& part) {
@@ -227,11 +249,7 @@ void describe_part(KeyTable& table, PartChoices& part) {
                {.text = "What the part is."});
   table.file("part.file", part.file,
              {.text = "Mesh of triangles, .msh (Gmsh) or .stl, of the middle surface, for kind = \"file\"."});
-  table.quantity("part.file_unit", part.file_unit,
-                 {.text = "Length of one unit in that file.",
-                  .unit = "m",
-                  .friendly = "mm",
-                  .range = Range::between(1e-9, 1e3)});
+  describe_file_unit(table, part.file_unit);
   table.choice("part.junctions", part.junctions,
                {{Junctions::refused, "refused", "more than two triangles at an edge are an error"},
                 {Junctions::allowed, "allowed", "walls may meet, as ribs and plates do"}},
@@ -310,6 +328,7 @@ MoldingPart make_part(const PartChoices& part) {
   std::vector<Vec3> nodes;
   if (part.kind == PartKind::file) {
     mesh = read_surface(part.file, part.file_unit);
+    made.remarks = mesh.remarks;
     nodes = mesh.points;
   } else {
     const PartShape shape = draw_part(part);

@@ -38,7 +38,8 @@ void validate_part(const PartChoices& part, CaseChecker& checker);
 struct MoldingPart {
   Shell shell;
   std::vector<std::string> regions;
-  std::vector<Gate> gates;  ///< those that belong to the part
+  std::vector<Gate> gates;           ///< those that belong to the part
+  std::vector<std::string> remarks;  ///< what was mended when its file was read
   /// Puts a point of the flat part (x, y; m) onto the surface; empty for parts from files.
   std::function<Vec3(const Vec2&)> place;
 };

@@ -105,5 +105,18 @@ TEST(PatchMesher, RefusesLoopsThatCrossThemselves) {
   EXPECT_THROW((void)mesh_patches(surface), InputError);
 }
 
+TEST(PatchMesher, RefusesSizesBeyondTheMesher) {
+  for (const double scale : {1e-300, 1e-150, 1e-14, 1e14, 1e200}) {
+    PatchedSurface surface = plate();
+    for (Vec3& corner : surface.corners) corner *= scale;
+    for (double& size : surface.sizes) size *= scale;
+    try {
+      EXPECT_NEAR(area(mesh_patches(surface)) / (0.06 * 0.04 * scale * scale), 1, 1e-9) << scale;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("the part cannot be meshed"), std::string::npos) << scale;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fiberfate

@@ -14,7 +14,7 @@ namespace fiberfate {
 namespace {
 
 /// Two triangles of a square in mm, each a physical surface; point 5 belongs to neither.
-const char* const square_msh = R"($MeshFormat
+const std::string square_msh = R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
 $PhysicalNames
@@ -159,6 +159,39 @@ TEST(SurfaceFile, SaysWhatIsWrongWithOtherFiles) {
   EXPECT_NE(message_for(folder / "script.msh").find("is not a Gmsh mesh"), std::string::npos);
   replace_file(folder / "empty.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
   EXPECT_NE(message_for(folder / "empty.msh").find("there are no triangles"), std::string::npos);
+}
+
+TEST(SurfaceFile, TurnsAFlippedTriangleAndTellsIt) {
+  const ScratchFolder folder;
+  std::string text = square_msh;
+  const std::string second = "1 2 3\n$EndElements";
+  text.replace(text.find(second), second.size(), "1 3 2\n$EndElements");
+  replace_file(folder / "part.msh", text);
+  const SurfaceMesh mesh = read_surface(folder / "part.msh", 1);
+  EXPECT_EQ(mesh.remarks, (std::vector<std::string>{"1 of 2 triangles is turned to agree with the others"}));
+}
+
+TEST(SurfaceFile, ReadsAMeshBehindComments) {
+  const ScratchFolder folder;
+  replace_file(folder / "part.msh", "$Comments\nby hand\n$EndComments\n" + square_msh);
+  EXPECT_EQ(read_surface(folder / "part.msh", 1).triangles.size(), 2U);
+  replace_file(folder / "part.msh", "$Comments\n$EndComments\nSystemCall \"true\";");
+  EXPECT_NE(message_for(folder / "part.msh").find("is not a Gmsh mesh"), std::string::npos);
+  replace_file(folder / "part.msh", "$MeshFormatting\nSystemCall \"true\";");
+  EXPECT_NE(message_for(folder / "part.msh").find("is not a Gmsh mesh"), std::string::npos);
+}
+
+TEST(SurfaceFile, RefusesWhatGmshTripsOver) {
+  const ScratchFolder folder;
+  std::string text = square_msh;
+  const std::string second = "1 2 3\n$EndElements";
+  text.replace(text.find(second), second.size(), "1 2 33\n$EndElements");
+  replace_file(folder / "part.msh", text);
+  EXPECT_NE(message_for(folder / "part.msh"), "");
+  text = square_msh;
+  text.replace(text.find("3 10 10 0"), 9, "3 nan 10 0");
+  replace_file(folder / "part.msh", text);
+  EXPECT_NE(message_for(folder / "part.msh"), "");
 }
 
 TEST(SurfaceFile, RefusesQuadrangles) {

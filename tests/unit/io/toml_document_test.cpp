@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "base/timer.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -104,9 +106,67 @@ TEST(TomlSyntax, AnswersSlipsWithWhatToDo) {
             "a.toml:1:5: a number is incomplete: write digits on both sides of the point, 0.5 or 5.0");
 }
 
-TEST(TomlDocument, RefusesBytesAndMissingFiles) {
-  EXPECT_EQ(message_of(std::string("a = 1\0b", 7)),
-            "a.toml: is not a text file: give a case file in TOML, as 'fiberfate new shear_cell' writes it");
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(TomlDocument, BoundsNestingBeforeTheLibrarySeesIt) {
+  EXPECT_EQ(
+      message_of("a = " + repeated("[", 6000)),
+      "a.toml:1:69: lists or tables are nested more than 64 deep: this is no case file; a bracket may be "
+      "missing");
+  EXPECT_NE(message_of("a = " + repeated("{a=", 10000) + "1" + repeated("}", 10000)).find("nested more than"),
+            std::string::npos);
+  EXPECT_NE(message_of("[a" + repeated(".a", 20000) + "]\n").find("a key has more than 64 parts"),
+            std::string::npos);
+  EXPECT_NE(message_of("a" + repeated(".a", 20000) + " = 1\n").find("a key has more than 64 parts"),
+            std::string::npos);
+  EXPECT_EQ(message_of("a = " + repeated("[", 60) + repeated("]", 60)), "no error");
+  EXPECT_EQ(message_of("a = '" + repeated("[.", 100) + "'\nb = \"\"\"" + repeated("\\\"[\n.", 100) +
+                       "\"\"\" # " + repeated("[.", 100)),
+            "no error");
+}
+
+TEST(TomlDocument, ReadsFaultyLinesOfAnyLength) {
+  const std::string long_value = repeated("x", 1 << 20);
+  EXPECT_NE(message_of("key = " + long_value).find("the value is not in quotes"), std::string::npos);
+  EXPECT_NE(message_of("key = \"" + long_value).find("a text does not end"), std::string::npos);
+  EXPECT_NE(message_of(long_value).find("a line has no '='"), std::string::npos);
+  EXPECT_LT(message_of("key = " + long_value).size(), 300u);
+}
+
+TEST(TomlDocument, ReadsLongListsInLinearTime) {
+  const double begin = cpu_seconds();
+  const TomlDocument document = TomlDocument::parse("a = [" + repeated("1.5, ", 200000) + "2]", "a.toml");
+  const auto& items = std::get<std::vector<TomlValue>>(document.entries()[0].value.data);
+  EXPECT_EQ(items.size(), 200001u);
+  EXPECT_EQ(items.back().place.column, 6 + 5 * 200000);
+  EXPECT_LT(cpu_seconds() - begin, 20);  // it took minutes when each value looked through the line
+  EXPECT_EQ(
+      message_of("a = [" + repeated("1.5,", 9999) + "1 5]\n"),
+      "a.toml:1:5: a list does not end, or lacks a comma: separate its values by commas and close it with ]");
+  EXPECT_NE(message_of("a = [" + repeated("{b=1},", 20000) + "]").find("no error"), std::string::npos);
+  EXPECT_NE(message_of("a = {" + repeated("b=1,", 20000) + "}").find("a table in braces is longer than"),
+            std::string::npos);
+}
+
+TEST(TomlDocument, SaysWhereATextHoldsWhatIsNoText) {
+  using namespace std::string_literals;
+  EXPECT_EQ(
+      message_of("a = 1\nb\0 = 2\n"s),
+      "a.toml:2:2: is not a text file: it holds a zero byte: give a text; one in UTF-16 must be saved as "
+      "UTF-8 first");
+  EXPECT_EQ(message_of("a = 1\rb = 2\n").substr(0, 11), "a.toml:1:6:");
+  EXPECT_EQ(message_of("a = 1\nb = \x1b[0m\n").substr(0, 11), "a.toml:2:5:");
+  EXPECT_EQ(message_of("a = \"\xC3\"\n").substr(0, 11), "a.toml:1:6:");
+  EXPECT_EQ(message_of("\xEF\xBB\xBF"
+                       "a = \"µm\"\r\n"),
+            "no error");
+}
+
+TEST(TomlDocument, RefusesMissingFiles) {
   EXPECT_THROW(static_cast<void>(TomlDocument::read("/nonexistent/case.toml")), InputError);
 }
 
