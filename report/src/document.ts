@@ -9,12 +9,19 @@ export interface Axis {
   unit?: string;
   scale?: Scale;
   values?: Value[];
+  /** Names that stand at 1, 2, 3, … along the axis instead of numbers. */
+  names?: string[];
 }
+
+/** Where a section stands on the page. */
+export type Role = "picture" | "outcome" | "chart" | "wide" | "detail";
 
 interface SectionBase {
   id: string;
   title: string;
   caption?: string;
+  /** Without it the page goes by kind and id. */
+  role?: Role;
 }
 
 export interface Fact {
@@ -22,6 +29,8 @@ export interface Fact {
   value: string | Value | Value[][];
   unit?: string;
   note?: string;
+  /** Among the few that a reader wants first. */
+  headline?: boolean;
 }
 export interface FactsSection extends SectionBase {
   kind: "facts";
@@ -129,6 +138,8 @@ export type Section =
 export interface ReportDocument {
   schema: number;
   title: string;
+  /** Name of the case or of its folder. */
+  case?: string;
   subtitle?: string;
   study?: string;
   version?: string;

@@ -1,7 +1,9 @@
 // The stage of a three-dimensional view: renderer, camera, controls, triad; it draws only when something has changed.
 import { LinearSRGBColorSpace, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { make } from "../dom";
 import { current_palette, light_palette, type Palette } from "../palette";
+import { add_print_view } from "../print";
 import { make_triad } from "./triad";
 
 export interface Stage {
@@ -14,6 +16,8 @@ export interface Stage {
   middle: Vector3;
   redraw: () => void;
   reset_camera: () => void;
+  /** Draws at once, in a palette that need not be the screen's. */
+  draw: (palette: Palette) => void;
   /** Draws for paper at a multiple of the screen's resolution and hands the pixels to `use`. */
   snapshot: (times: number, use: (canvas: HTMLCanvasElement) => void) => void;
 }
@@ -49,6 +53,37 @@ function make_renderer(crowded: boolean): WebGLRenderer {
   return renderer;
 }
 
+/**
+ * Lets the wheel and a finger scroll the page until the reader has chosen the view, by a click or by the keyboard; a
+ * view that catches the wheel in passing stops the reader at every picture.
+ */
+function hold_wheel_until_active(host: HTMLElement, canvas: HTMLCanvasElement, controls: OrbitControls): void {
+  const hint = make("p", { class: "hint", "aria-hidden": "true" }, "Click the picture to zoom with the wheel; Esc gives the wheel back");
+  host.append(hint);
+  const activate = (active: boolean): void => {
+    controls.enableZoom = active;
+    canvas.style.touchAction = active ? "none" : "pan-y";
+    host.dataset.active = String(active);
+    hint.classList.remove("shown");
+  };
+  canvas.tabIndex = 0;
+  canvas.addEventListener("focus", () => activate(true));
+  canvas.addEventListener("blur", () => activate(false));
+  canvas.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") canvas.blur();
+  });
+  let timer: number | undefined;
+  canvas.addEventListener("wheel", () => {
+    if (controls.enableZoom) return;
+    hint.classList.add("shown");
+    clearTimeout(timer);
+    timer = window.setTimeout(() => hint.classList.remove("shown"), 1500);
+  }, { passive: true });
+  // A press that begins a drag focuses too, but only where the browser gives focus to a canvas.
+  canvas.addEventListener("pointerup", () => canvas.focus({ preventScroll: true }));
+  activate(false);
+}
+
 /** Makes the stage in its host; throws where the browser has no WebGL. */
 export function make_stage(host: HTMLElement, request: StageRequest): Stage {
   const renderer = make_renderer(request.crowded);
@@ -58,6 +93,7 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
   const camera = new PerspectiveCamera(28, 1, 0.01, 100);
   const controls = new OrbitControls(camera, renderer.domElement);
   controls.zoomToCursor = true;
+  hold_wheel_until_active(host, renderer.domElement, controls);
   const triad = make_triad();
   host.append(renderer.domElement, triad.element);
 
@@ -85,7 +121,7 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
     });
   };
   const stage: Stage = {
-    canvas: renderer.domElement, scene, camera, factor, middle, redraw, reset_camera: place_camera,
+    canvas: renderer.domElement, scene, camera, factor, middle, redraw, draw, reset_camera: place_camera,
     snapshot: (times, use) => {
       const before = renderer.getPixelRatio();
       const size = renderer.getSize(new Vector2());
@@ -98,6 +134,7 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
     },
   };
   controls.addEventListener("change", redraw);
+  add_print_view(draw);
   let framed = false;
   new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = host;

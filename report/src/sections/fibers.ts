@@ -2,6 +2,7 @@
 import type { FibersSection } from "../document";
 import { make, make_button, make_choice, make_toggle } from "../dom";
 import { current_palette, watch_scheme } from "../palette";
+import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
 import { make_colour_bar } from "../scene/colour_bar";
 import { colour_rods, type Colouring, colourings, type ColourScale, make_scale, type MeasuredFrame } from "../scene/colouring";
@@ -12,6 +13,7 @@ import { compose_picture } from "../scene/picture";
 import { make_player } from "../scene/player";
 import { make_view, type View } from "../scene/view";
 import { make_section } from "./parts";
+import { make_save_menu } from "./save_buttons";
 
 /** What is shown now; the functions below bring the view into agreement with it. */
 interface Shown {
@@ -96,8 +98,10 @@ function add_controls(controls: HTMLElement, shown: Shown): void {
       shown.view.redraw();
     }),
     make_button("Reset", "Put the camera back", () => shown.view.reset_camera()),
-    make_button("PNG", "Save the picture with its colour bar", () => save_picture(shown)),
-    make_button("CSV", "Save the fibers at this time as CSV", () => save_frame(shown)),
+    make_save_menu(
+      make_button("Picture as PNG", "The picture with its colour bar", () => save_picture(shown)),
+      make_button("Fibers as CSV", "The fibers at this time", () => save_frame(shown)),
+    ),
   );
 }
 
@@ -140,6 +144,7 @@ export function render_fibers(section: FibersSection): HTMLElement {
   add_controls(controls, shown);
   figure.append(player.element);
   show_frame(shown);
+  add_print_view((palette) => bar.replaceChildren(make_colour_bar(shown.scale, palette)));
   watch_scheme(() => {
     shown.view.adapt_to_scheme();
     show_colours(shown);

@@ -3,6 +3,7 @@ import { type LineSegments, Vector3 } from "three";
 import type { ShellSection } from "../document";
 import { make, make_button, make_choice, make_toggle } from "../dom";
 import { current_palette, sample_map, watch_scheme } from "../palette";
+import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
 import { make_colour_bar } from "../scene/colour_bar";
 import { type ColourScale, make_table } from "../scene/colouring";
@@ -14,6 +15,7 @@ import { make_shell_mesh, type ShellMesh } from "../scene/shell_mesh";
 import { follow_shell_pointer } from "../scene/shell_pointer";
 import { make_stage, type Stage } from "../scene/stage";
 import { make_section } from "./parts";
+import { make_save_menu } from "./save_buttons";
 
 const positions_of_slider = 120;
 const positions_per_second = 20;
@@ -101,8 +103,10 @@ function add_controls(controls: HTMLElement, shown: Shown): void {
       shown.stage.redraw();
     }),
     make_button("Reset", "Put the camera back", () => shown.stage.reset_camera()),
-    make_button("PNG", "Save the picture with its colour bar", () => save_picture(shown)),
-    make_button("CSV", "Save the nodes at this time as CSV", () => save_nodes(shown)),
+    make_save_menu(
+      make_button("Picture as PNG", "The picture with its colour bar", () => save_picture(shown)),
+      make_button("Nodes as CSV", "All fields at the nodes at this time", () => save_nodes(shown)),
+    ),
   );
 }
 
@@ -161,6 +165,7 @@ export function render_shell(section: ShellSection): HTMLElement {
   add_controls(controls, shown);
   figure.append(player.element);
   choose_field(shown, 0);
+  add_print_view((palette) => bar.replaceChildren(make_colour_bar(shown.scale, palette)));
   watch_scheme(() => choose_field(shown, shown.field));
   return element;
 }

@@ -1,6 +1,6 @@
 // Checks of curves: legend, values under the cursor, pixels, zoom, and the vector figure read back by its ticks.
 import { is_number, read_number, unit_factor } from "./expect.mjs";
-import { read_axis, with_print_figure } from "./figure.mjs";
+import { read_axis, read_edges, with_print_figure } from "./figure.mjs";
 
 const last_of = (values) => values.filter(is_number).at(-1) ?? null;
 
@@ -124,7 +124,7 @@ async function check_zoom(page, section, expect) {
     let found;
     await with_print_figure(page, section.id, async (figure) => {
       const to_x = await read_axis(figure, "x", "linear");
-      found = [to_x(78), to_x(706)];
+      found = (await read_edges(figure)).map(to_x);
     });
     return found;
   };
