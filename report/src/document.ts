@@ -88,14 +88,26 @@ export interface FiberFrame {
   lattice: number[];
   origin?: number[];
   periodic?: boolean[];
+  /** Shear strain since the start. */
+  strain?: number;
   offsets: string;
-  points: string;
+  /** Nodes as float32; absent where `grid` holds them. */
+  points?: string;
+  /** Nodes as uint16 steps of a grid along x, y, z [m]. */
+  grid?: { steps: string; corner: number[]; step: number[] };
   birth: string;
+  birth_node?: string;
   radius: string;
+}
+export interface FiberBreak {
+  time_s: number;
+  birth: number;
+  node: number;
 }
 export interface FibersSection extends SectionBase {
   kind: "fibers";
   frames: FiberFrame[];
+  breaks?: FiberBreak[];
 }
 
 /** A field at the nodes of a part; each frame is base64 of float32, one alone holds at all times. */
@@ -115,6 +127,26 @@ export interface ShellLines {
   label: string;
   segments: string;
 }
+/** Symmetric tensors at the nodes: float32, 11 22 33 23 31 12 a node; one frame alone holds at all times. */
+export interface ShellTensors {
+  label: string;
+  frames: string[];
+}
+/** Directions on the part at some places: float32, xyz each; their length is their size, in `unit`. */
+export interface ShellDirections {
+  label: string;
+  unit?: string;
+  at: string;
+  vectors: string;
+}
+/** Profiles from the mid-plane to the wall: float32, one value a node and layer, layers of a node together. */
+export interface ShellLayers {
+  /** Heights of the layers over the mid-plane, over half of the thickness. */
+  heights: number[];
+  /** Thickness at each node as float32 [m]. */
+  thickness: string;
+  fields: { label: string; unit?: string; values: string }[];
+}
 export interface ShellSection extends SectionBase {
   kind: "shell";
   points: string;
@@ -124,6 +156,9 @@ export interface ShellSection extends SectionBase {
   fields: ShellField[];
   places?: ShellPlace[];
   lines?: ShellLines[];
+  tensors?: ShellTensors[];
+  directions?: ShellDirections[];
+  layers?: ShellLayers;
 }
 
 export type Section =

@@ -2,7 +2,8 @@
 import { make_svg } from "./dom";
 import { write_font_rules } from "./font";
 
-function download(name: string, blob: Blob): void {
+/** Hands a file to the reader. */
+export function download(name: string, blob: Blob): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

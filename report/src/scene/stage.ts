@@ -23,9 +23,8 @@ export interface Stage {
 }
 
 export interface StageRequest {
-  /** The ball around what is shown [m]. */
-  middle: Vector3;
-  radius: number;
+  /** Corners of what is shown [m]: the camera keeps them in view. */
+  corners: Vector3[];
   /** From where the camera looks at first. */
   from: Vector3;
   /** Without a graphics card smooth edges cost as much as all the rest: much to draw goes without them. */
@@ -43,6 +42,38 @@ function draws_in_software(): boolean {
   const name = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   context?.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+function ball_around(corners: Vector3[]): { middle: Vector3; radius: number } {
+  const middle = new Vector3();
+  for (const corner of corners) middle.addScaledVector(corner, 1 / corners.length);
+  return { middle, radius: Math.max(1e-9, ...corners.map((corner) => corner.distanceTo(middle))) };
+}
+
+interface Subject {
+  middle: Vector3;
+  corners: Vector3[];
+  from: Vector3;
+}
+
+const margin = 0.92; // of half the picture, which the farthest corner may take
+
+/** Puts the camera as near as all corners allow. */
+function stand_back(camera: PerspectiveCamera, { middle, corners, from }: Subject): void {
+  const direction = from.clone().normalize();
+  let [near, far] = [1.05, 60];
+  for (let k = 0; k < 30; ++k) {
+    const distance = (near + far) / 2;
+    camera.position.copy(middle).addScaledVector(direction, distance);
+    camera.lookAt(middle);
+    camera.updateMatrixWorld();
+    const inside = corners.every((corner) => {
+      const seen = corner.clone().project(camera);
+      return Math.max(Math.abs(seen.x), Math.abs(seen.y)) <= margin && seen.z < 1;
+    });
+    if (inside) far = distance;
+    else near = distance;
+  }
 }
 
 function make_renderer(crowded: boolean): WebGLRenderer {
@@ -87,8 +118,10 @@ function hold_wheel_until_active(host: HTMLElement, canvas: HTMLCanvasElement, c
 /** Makes the stage in its host; throws where the browser has no WebGL. */
 export function make_stage(host: HTMLElement, request: StageRequest): Stage {
   const renderer = make_renderer(request.crowded);
-  const factor = 1 / request.radius;
-  const middle = request.middle.clone().multiplyScalar(factor);
+  const ball = ball_around(request.corners);
+  const factor = 1 / ball.radius;
+  const middle = ball.middle.multiplyScalar(factor);
+  const corners = request.corners.map((corner) => corner.clone().multiplyScalar(factor));
   const scene = new Scene();
   const camera = new PerspectiveCamera(28, 1, 0.01, 100);
   const controls = new OrbitControls(camera, renderer.domElement);
@@ -98,9 +131,7 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
   host.append(renderer.domElement, triad.element);
 
   const place_camera = (): void => {
-    const distance = 1.02 / Math.sin((camera.fov * Math.PI) / 360);
-    const narrow = Math.max(1, 1 / camera.aspect);
-    camera.position.copy(middle).addScaledVector(request.from.clone().normalize(), distance * narrow);
+    stand_back(camera, { middle, corners, from: request.from });
     controls.target.copy(middle);
     controls.update();
   };

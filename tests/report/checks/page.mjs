@@ -92,7 +92,7 @@ async function check_wheel(page, expect) {
   const turn = async () => {
     const before = await page.evaluate(() => window.scrollY);
     await page.mouse.wheel(0, 120);
-    await page.waitForFunction((from) => window.scrollY !== from, before, { timeout: 1500 }).catch(() => {});
+    for (let k = 0; k < 15 && (await page.evaluate(() => window.scrollY)) === before; ++k) await page.waitForTimeout(100);
     await page.waitForTimeout(300);
     return (await page.evaluate(() => window.scrollY)) - before;
   };
