@@ -1,4 +1,4 @@
-// The report document, schema 1, as the C++ program writes it (docs/formats/report.md).
+// The report document, schemas 1 and 2, as the C++ program writes it (docs/formats/report.md).
 
 /** A number; null stands for NaN or infinity. */
 export type Value = number | null;
@@ -65,6 +65,8 @@ export interface HistogramSection extends SectionBase {
   edges: number[];
   frames: HistogramFrame[];
   reference?: HistogramFrame;
+  /** Drawn over the bars, each with its own x. */
+  curves?: Series[];
 }
 
 export interface TableSection extends SectionBase {
@@ -99,15 +101,16 @@ export interface FiberFrame {
   birth_node?: string;
   radius: string;
 }
-export interface FiberBreak {
-  time_s: number;
-  birth: number;
-  node: number;
+/** Broken hinges, one entry each: when (float32, s), of which birth fiber and at which node along it (int32). */
+export interface FiberBreaks {
+  time_s: string;
+  birth: string;
+  node: string;
 }
 export interface FibersSection extends SectionBase {
   kind: "fibers";
   frames: FiberFrame[];
-  breaks?: FiberBreak[];
+  breaks?: FiberBreaks;
 }
 
 /** A field at the nodes of a part; each frame is base64 of float32, one alone holds at all times. */
@@ -182,7 +185,8 @@ export interface ReportDocument {
   sections: Section[];
 }
 
-export const known_schema = 1;
+/** Schema 2 adds to schema 1 and takes nothing away. */
+export const known_schemas = [1, 2];
 
 /** Reads the document out of the page, or says why there is none to show. */
 export function read_document(): ReportDocument {
@@ -192,8 +196,8 @@ export function read_document(): ReportDocument {
     throw new Error("this page is the empty template; `fiberfate report DIR` fills it");
   }
   const found = parsed as ReportDocument;
-  if (found.schema !== known_schema) {
-    throw new Error(`the document has schema ${found.schema}, this page reads schema ${known_schema}`);
+  if (!known_schemas.includes(found.schema)) {
+    throw new Error(`the document has schema ${found.schema}, this page reads ${known_schemas.join(" and ")}`);
   }
   return found;
 }

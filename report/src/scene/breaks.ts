@@ -1,5 +1,6 @@
 // Where and when fibers broke: told by the document, or seen between frames.
-import type { CellFrame } from "./frame";
+import type { FiberBreaks } from "../document";
+import { type CellFrame, decode_base64 } from "./frame";
 import type { CellState } from "./cell_state";
 import { first_rod, rods_of } from "./pairing";
 
@@ -8,6 +9,14 @@ export interface Break {
   time_s: number;
   birth: number;
   node: number;
+}
+
+/** Decodes the breaks that a document tells. */
+export function decode_breaks(breaks: FiberBreaks): Break[] {
+  const times = new Float32Array(decode_base64(breaks.time_s));
+  const births = new Int32Array(decode_base64(breaks.birth));
+  const nodes = new Int32Array(decode_base64(breaks.node));
+  return Array.from(times, (time_s, k) => ({ time_s, birth: births[k]!, node: nodes[k]! }));
 }
 
 function key(birth: number, node: number): string {

@@ -7,7 +7,7 @@ import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
 import { type Animated, make_animation_buttons } from "../scene/animation";
 import { type BreakMarks, make_break_marks } from "../scene/break_marks";
-import { BreakTimes, see_breaks } from "../scene/breaks";
+import { BreakTimes, decode_breaks, see_breaks } from "../scene/breaks";
 import { type CellState, middle_of_rods } from "../scene/cell_state";
 import { make_colour_bar } from "../scene/colour_bar";
 import { colour_rods, type Colouring, colourings_of, type ColourScale, make_scale } from "../scene/colouring";
@@ -62,12 +62,14 @@ function choose_colours(shown: Shown, colouring: Colouring): void {
   show_colours(shown);
 }
 
-/** Gives the middle of the chosen fiber as computed. */
+/** Gives the middle of the chosen rod, which goes on evenly when its fiber breaks; of its fiber where rods have no number. */
 function middle_of_chosen({ state, pointer }: Shown): Three | undefined {
   const chosen = pointer?.chosen();
   const fiber = chosen && piece_with(state, chosen);
-  if (fiber === undefined) return undefined;
+  if (!chosen || fiber === undefined) return undefined;
   const first = first_rod(state.frame, fiber);
+  const start = state.frame.birth_node?.[fiber];
+  if (start !== undefined && chosen.number !== undefined) return middle_of_rods(state.starts, state.ends, [first + chosen.number - start]);
   return middle_of_rods(state.starts, state.ends, Array.from({ length: rods_of(state.frame, fiber) }, (_unused, k) => first + k));
 }
 
@@ -192,7 +194,7 @@ function start_view(section: FibersSection, store: FrameStore, stage: HTMLElemen
     return undefined;
   }
   stage.dataset.webgl = "working";
-  const breaks = new BreakTimes(section.breaks ?? see_breaks(store.all()));
+  const breaks = new BreakTimes(section.breaks ? decode_breaks(section.breaks) : see_breaks(store.all()));
   const marks = make_break_marks(breaks.breaks, remembered_breaks * store.duration() || 1);
   view.scene.add(marks.points);
   const colouring: Colouring = breaks.breaks.length > 0 || has_many_lengths(store) ? "length" : "angle_x";

@@ -15,7 +15,8 @@ function units_of(section: TableSection): ShownUnit[] {
 
 function make_head(section: TableSection, units: ShownUnit[]): HTMLElement {
   const cells = section.columns.map(({ label }, k) => {
-    const cell = make("th", { scope: "col" }, make_label(label));
+    const text = section.rows.every((row) => typeof row[k] === "string");
+    const cell = make("th", { scope: "col", class: text ? "text" : undefined }, make_label(label));
     if (units[k]!.unit) cell.append(make("span", { class: "unit" }, units[k]!.unit));
     return cell;
   });

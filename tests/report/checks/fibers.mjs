@@ -143,6 +143,8 @@ async function check_motion(section, stage, frames, expect, id) {
       at: dataset.chosen?.split(" ").map(Number), lattice: dataset.lattice.split(" ").map(Number), time: Number(dataset.time),
     })));
   }
+  const start = read_frame(frames[0]);
+  const longest = Math.max(...Array.from(start.birth, (_birth, fiber) => length_of(start, fiber)));
   const sizes = [0, 4, 8].map((k) => path[0].lattice[k]);
   path.slice(1).forEach((now, k) => {
     const before = path[k];
@@ -152,9 +154,10 @@ async function check_motion(section, stage, frames, expect, id) {
     const period = now.lattice[0] / now.lattice[4];
     const strain = tilt(now) - tilt(before) - period * Math.round((tilt(now) - tilt(before)) / period);
     const carried = Math.abs(strain) * sizes[1];
-    expect.that(Math.abs(moved[0]) <= 1.05 * carried + 0.03 * sizes[0], `${id}: at ${now.time} s the chosen fiber moves ${moved[0]} m along the flow, the flow ${carried} m`);
-    for (const axis of [1, 2]) expect.that(Math.abs(moved[axis]) <= 0.03 * sizes[axis], `${id}: at ${now.time} s the chosen fiber moves ${moved[axis]} m across the flow`);
-
+    // On top of the flow: a half turn of the fiber between two frames, and a drift of a whole cell.
+    const own = (longest * Math.PI) / 2 / steps;
+    expect.that(Math.abs(moved[0]) <= 1.05 * carried + own + sizes[0] / steps, `${id}: at ${now.time} s the chosen fiber moves ${moved[0]} m along the flow, the flow ${carried} m`);
+    for (const axis of [1, 2]) expect.that(Math.abs(moved[axis]) <= own + sizes[axis] / steps, `${id}: at ${now.time} s the chosen fiber moves ${moved[axis]} m across the flow`);
   });
 }
 

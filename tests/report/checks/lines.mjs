@@ -12,6 +12,7 @@ async function read_factors(page, section) {
 async function check_legend(page, section, factors, expect) {
   const values = page.locator(`[id="${section.id}"] .legend .value`);
   expect.equal(await values.count(), section.series.length, `${section.id}: legend entries`);
+  const largest = Math.max(0, ...section.series.flatMap((series) => series.values.filter(is_number).map(Math.abs)));
   for (const [k, series] of section.series.entries()) {
     const what = `${section.id}: last ${series.label}`;
     const wanted = last_of(series.values);
@@ -19,6 +20,7 @@ async function check_legend(page, section, factors, expect) {
     expect.equal(await values.nth(k).getAttribute("data-last"), wanted === null ? "" : String(wanted), `${what}: data-last`);
     const shown = await values.nth(k).textContent();
     if (wanted === null) expect.equal(shown, "–", what);
+    else if (Math.abs(wanted) < 1e-12 * largest) expect.equal(shown, "0", `${what}, which is round-off`);
     else expect.near(read_number(shown) * factors.y, wanted, what);
   }
 }
