@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "studies/sample/cell_section.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/shear_cell/run.hpp"
 #include "studies/shear_cell/series.hpp"
@@ -140,14 +141,16 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
     document.stop_reason = summary.text("stop_reason");
     document.sections.emplace_back(came_out(summary));
   }
-  append_curves(document.sections, read_csv(folder.series()));
+  const CsvTable series = read_csv(folder.series());
+  append_curves(document.sections, series);
   const VtkhdfReader frames(folder.frames());
   const std::vector<double> times = histogram_times(values, frames);
   document.sections.emplace_back(length_section(frames, times, values.output.length_bin));
   document.sections.emplace_back(curvature_section(frames, times));
   const CsvTable breaks = read_csv(folder.breaks());
   if (breaks.rows() > 0) document.sections.emplace_back(break_radius_section(values, breaks));
-  document.sections.emplace_back(fibers_section(frames, "Flow along x, gradient along y."));
+  document.sections.emplace_back(
+      fibers_section(frames, "Flow along x, gradient along y.", read_cell_history(series, breaks)));
   if (finished) document.sections.emplace_back(effort_section(SummaryFile(folder.summary())));
   return document;
 }
