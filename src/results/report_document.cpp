@@ -178,7 +178,8 @@ Json write_grid(const std::vector<float>& points) {
   }
   std::vector<std::uint16_t> whole(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (step[i % 3] > 0) whole[i] = static_cast<std::uint16_t>(std::lround((points[i] - low[i % 3]) / step[i % 3]));
+    if (step[i % 3] > 0)
+      whole[i] = static_cast<std::uint16_t>(std::lround((points[i] - low[i % 3]) / step[i % 3]));
   return {{"steps", encode(whole)}, {"corner", low}, {"step", step}};
 }
 

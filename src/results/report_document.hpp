@@ -142,7 +142,8 @@ struct FiberFrame {
   std::vector<float> points = {};          ///< nodes, xyz xyz …, unwrapped along a fiber
   std::vector<std::int32_t> birth = {};    ///< birth fiber, one a fiber
   std::vector<float> radius = {};          ///< one a fiber
-  std::vector<std::int32_t> birth_node = {};  ///< first node along the birth fiber, one a fiber; empty: unknown
+  std::vector<std::int32_t> birth_node =
+      {};  ///< first node along the birth fiber, one a fiber; empty: unknown
 };
 
 /// Tells when a hinge broke.

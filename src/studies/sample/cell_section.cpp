@@ -13,7 +13,8 @@ namespace {
 
 constexpr double most_exact_bytes = 8e6;  // of nodes as float32 in all frames together
 constexpr double most_bytes = 20e6;       // of what is encoded: 27 MB of HTML
-constexpr std::size_t enough_frames = 40;  // for a motion that is followed easily; before it is fibers that go
+constexpr std::size_t enough_frames =
+    40;  // for a motion that is followed easily; before it is fibers that go
 
 /// Which frames are shown, and of how many birth fibers one.
 struct Choice {
@@ -45,7 +46,8 @@ Choice choose(const VtkhdfReader& frames) {
 
 std::vector<std::int32_t> whole_numbers(const PolyFrame& frame, const char* name) {
   std::vector<std::int32_t> numbers;
-  for (const double value : numbers_of(frame.cell_data, name)) numbers.push_back(static_cast<std::int32_t>(value));
+  for (const double value : numbers_of(frame.cell_data, name))
+    numbers.push_back(static_cast<std::int32_t>(value));
   return numbers;
 }
 
@@ -86,10 +88,12 @@ std::optional<double> strain_at(const CellHistory& history, double time) {
 
 std::string describe(const Choice& choice, std::size_t all) {
   std::string text;
-  if (choice.frames.size() < all) text += fmt::format(" {} of {} frames are shown.", choice.frames.size(), all);
+  if (choice.frames.size() < all)
+    text += fmt::format(" {} of {} frames are shown.", choice.frames.size(), all);
   if (choice.stride > 1) text += fmt::format(" One original fiber of {} is shown.", choice.stride);
   if (choice.encoding == NodeEncoding::grid)
-    text += " Places are rounded to 1/65535 of the box around the fibers; result.vtkhdf has all of them in full.";
+    text +=
+        " Places are rounded to 1/65535 of the box around the fibers; result.vtkhdf has all of them in full.";
   return text;
 }
 
@@ -98,7 +102,7 @@ std::string describe(const Choice& choice, std::size_t all) {
 CellHistory read_cell_history(const CsvTable& series, const CsvTable& breaks) {
   CellHistory history{series.column("time_s"), series.column("strain"), {}};
   const std::vector<double>&times = breaks.column("time_s"), &births = breaks.column("birth_id"),
-                      &nodes = breaks.column("birth_node");
+        &nodes = breaks.column("birth_node");
   for (std::size_t i = 0; i < breaks.rows(); ++i)
     history.breaks.push_back(
         {times[i], static_cast<std::int32_t>(births[i]), static_cast<std::int32_t>(nodes[i])});

@@ -20,7 +20,8 @@ struct CellHistory {
 /// Reads strains out of series.csv and breaks out of breaks.csv.
 [[nodiscard]] CellHistory read_cell_history(const CsvTable& series, const CsvTable& breaks);
 
-/// Shows the cell at as many frames and with as many fibers as a page can carry, and says which in the caption.
+/// Shows the cell at as many frames and with as many fibers as a page can carry, and says which in the
+/// caption.
 [[nodiscard]] FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption,
                                            const CellHistory& history = {});
 
