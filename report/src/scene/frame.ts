@@ -1,10 +1,10 @@
 // One state of the cell, decoded from the document and measured.
 import type { FiberFrame } from "../document";
-import type { Three } from "./lattice";
+import { make_upright, type Three } from "./lattice";
 
 export interface CellFrame {
   time_s: number;
-  /** Row-major; columns are the lattice vectors [m]. */
+  /** Row-major; columns are the lattice vectors [m], the first along x, the second in the plane of x and y. */
   lattice: number[];
   origin: Three;
   periodic: boolean[];
@@ -67,7 +67,7 @@ export function decode_frame(frame: FiberFrame): CellFrame {
   }
   return {
     time_s: frame.time_s,
-    lattice: frame.lattice,
+    lattice: make_upright(frame.lattice),
     origin: [frame.origin?.[0] ?? 0, frame.origin?.[1] ?? 0, frame.origin?.[2] ?? 0],
     periodic: frame.periodic ?? [true, true, true],
     strain: frame.strain,

@@ -37,6 +37,38 @@ export function has_cell({ lattice }: Lattice): boolean {
   return lattice.length === 9 && invert(lattice) !== undefined;
 }
 
+type Columns = [Three, Three, Three];
+
+/** Subtracts columns from each other until only one of some has a component along an axis (Euclid); gives that one. */
+function gather(columns: Three[], axis: number, nothing: number): Three | undefined {
+  for (let step = 0; step < 200; ++step) {
+    const left = columns.filter((column) => Math.abs(column[axis]!) > nothing).sort((a, b) => Math.abs(a[axis]!) - Math.abs(b[axis]!));
+    if (left.length <= 1) return left[0];
+    const [least, next] = left as [Three, Three];
+    const turns = Math.round(next[axis]! / least[axis]!);
+    for (const k of [0, 1, 2] as const) next[k] -= turns * least[k];
+  }
+  return undefined;
+}
+
+/**
+ * Gives the upright basis of a lattice: vectors along x, in the plane of x and y, and any. Programs keep the shortest
+ * basis, which leans when a long cell is sheared; the lattice, and so the picture, is the same.
+ */
+export function make_upright(lattice: number[]): number[] {
+  const size = Math.max(...lattice.map(Math.abs));
+  const columns = [0, 1, 2].map((column) => [0, 3, 6].map((row) => lattice[row + column]!) as Three) as Columns;
+  const third = gather(columns, 2, 1e-9 * size);
+  const flat = columns.filter((column) => column !== third);
+  const second = gather(flat, 1, 1e-9 * size);
+  const first = flat.find((column) => column !== second);
+  if (!first || !second || !third) return lattice;
+  const upright = [first, second, third].map((column, axis) => (column[axis]! < 0 ? column.map((value) => -value) : column)) as Columns;
+  // What Euclid leaves below the diagonal is round-off.
+  const entry = (row: number, column: number): number => (row > column ? 0 : upright[column]![row]!);
+  return [0, 1, 2].flatMap((row) => [0, 1, 2].map((column) => entry(row, column)));
+}
+
 /** Tells whether shear along x has made this lattice out of a box: then the box is a window onto it. */
 function is_sheared_box(cell: Lattice): boolean {
   const { lattice: h } = cell;

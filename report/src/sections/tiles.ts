@@ -26,7 +26,8 @@ function draw_spark({ x, values }: NonNullable<Headline["course"]>): SVGSVGEleme
 /** Says where a number came from; an amount that began at nothing has no share. */
 function tell_change({ value, unit, course }: Headline): string | undefined {
   const first = course?.values.find(is_number);
-  if (first === undefined || !is_number(value) || first === value) return undefined;
+  if (first === undefined || !is_number(value)) return undefined;
+  if (Math.abs(value - first) <= 1e-9 * Math.abs(first)) return "as at the start";
   const from = `from ${write_quantity(first, unit, 3)}`;
   if (!(Math.abs(first) > 1e-9 * Math.abs(value)) || first * value < 0) return from;
   const share = (100 * (value - first)) / Math.abs(first);
