@@ -1,4 +1,4 @@
-// The report document, schema 1, as the C++ program writes it (docs/formats/report.md).
+// The report document, schemas 1 and 2, as the C++ program writes it (docs/formats/report.md).
 
 /** A number; null stands for NaN or infinity. */
 export type Value = number | null;
@@ -9,12 +9,19 @@ export interface Axis {
   unit?: string;
   scale?: Scale;
   values?: Value[];
+  /** Names that stand at 1, 2, 3, … along the axis instead of numbers. */
+  names?: string[];
 }
+
+/** Where a section stands on the page. */
+export type Role = "picture" | "outcome" | "chart" | "wide" | "detail";
 
 interface SectionBase {
   id: string;
   title: string;
   caption?: string;
+  /** Without it the page goes by kind and id. */
+  role?: Role;
 }
 
 export interface Fact {
@@ -22,6 +29,8 @@ export interface Fact {
   value: string | Value | Value[][];
   unit?: string;
   note?: string;
+  /** Among the few that a reader wants first. */
+  headline?: boolean;
 }
 export interface FactsSection extends SectionBase {
   kind: "facts";
@@ -56,6 +65,8 @@ export interface HistogramSection extends SectionBase {
   edges: number[];
   frames: HistogramFrame[];
   reference?: HistogramFrame;
+  /** Drawn over the bars, each with its own x. */
+  curves?: Series[];
 }
 
 export interface TableSection extends SectionBase {
@@ -79,14 +90,27 @@ export interface FiberFrame {
   lattice: number[];
   origin?: number[];
   periodic?: boolean[];
+  /** Shear strain since the start. */
+  strain?: number;
   offsets: string;
-  points: string;
+  /** Nodes as float32; absent where `grid` holds them. */
+  points?: string;
+  /** Nodes as uint16 steps of a grid along x, y, z [m]. */
+  grid?: { steps: string; corner: number[]; step: number[] };
   birth: string;
+  birth_node?: string;
   radius: string;
+}
+/** Broken hinges, one entry each: when (float32, s), of which birth fiber and at which node along it (int32). */
+export interface FiberBreaks {
+  time_s: string;
+  birth: string;
+  node: string;
 }
 export interface FibersSection extends SectionBase {
   kind: "fibers";
   frames: FiberFrame[];
+  breaks?: FiberBreaks;
 }
 
 /** A field at the nodes of a part; each frame is base64 of float32, one alone holds at all times. */
@@ -106,6 +130,26 @@ export interface ShellLines {
   label: string;
   segments: string;
 }
+/** Symmetric tensors at the nodes: float32, 11 22 33 23 31 12 a node; one frame alone holds at all times. */
+export interface ShellTensors {
+  label: string;
+  frames: string[];
+}
+/** Directions on the part at some places: float32, xyz each; their length is their size, in `unit`. */
+export interface ShellDirections {
+  label: string;
+  unit?: string;
+  at: string;
+  vectors: string;
+}
+/** Profiles from the mid-plane to the wall: float32, one value a node and layer, layers of a node together. */
+export interface ShellLayers {
+  /** Heights of the layers over the mid-plane, over half of the thickness. */
+  heights: number[];
+  /** Thickness at each node as float32 [m]. */
+  thickness: string;
+  fields: { label: string; unit?: string; values: string }[];
+}
 export interface ShellSection extends SectionBase {
   kind: "shell";
   points: string;
@@ -115,6 +159,9 @@ export interface ShellSection extends SectionBase {
   fields: ShellField[];
   places?: ShellPlace[];
   lines?: ShellLines[];
+  tensors?: ShellTensors[];
+  directions?: ShellDirections[];
+  layers?: ShellLayers;
 }
 
 export type Section =
@@ -129,6 +176,8 @@ export type Section =
 export interface ReportDocument {
   schema: number;
   title: string;
+  /** Name of the case or of its folder. */
+  case?: string;
   subtitle?: string;
   study?: string;
   version?: string;
@@ -136,7 +185,8 @@ export interface ReportDocument {
   sections: Section[];
 }
 
-export const known_schema = 1;
+/** Schema 2 adds to schema 1 and takes nothing away. */
+export const known_schemas = [1, 2];
 
 /** Reads the document out of the page, or says why there is none to show. */
 export function read_document(): ReportDocument {
@@ -146,8 +196,8 @@ export function read_document(): ReportDocument {
     throw new Error("this page is the empty template; `fiberfate report DIR` fills it");
   }
   const found = parsed as ReportDocument;
-  if (found.schema !== known_schema) {
-    throw new Error(`the document has schema ${found.schema}, this page reads schema ${known_schema}`);
+  if (!known_schemas.includes(found.schema)) {
+    throw new Error(`the document has schema ${found.schema}, this page reads ${known_schemas.join(" and ")}`);
   }
   return found;
 }

@@ -1,14 +1,23 @@
 // How numbers, units and symbols are written for a reader.
 import { is_number, type Value } from "./document";
 
-const prefixes: Record<number, string> = {
-  "-15": "f", "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T",
-};
 const minus = "\u2212";
 const superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 
-/** SI units that take a prefix; only these are rescaled, every other unit is shown as it came. */
-const scalable = new Set(["m", "s", "Pa", "Pa s", "N", "J", "W", "N m", "Hz"]);
+/**
+ * The units in which the magnitudes of an SI unit are shown, each from some magnitude on. One table for facts, tables and
+ * charts: a length on a part reads in mm wherever it stands, 0.9 mm as well as 200 mm.
+ */
+const ladders: Record<string, [from: number, unit: string, factor: number][]> = {
+  m: [[0, "nm", 1e9], [1e-7, "µm", 1e6], [1e-4, "mm", 1e3], [1, "m", 1], [1e3, "km", 1e-3]],
+  s: [[0, "ns", 1e9], [1e-6, "µs", 1e6], [1e-3, "ms", 1e3], [0.1, "s", 1]],
+  Pa: [[0, "Pa", 1], [1e3, "kPa", 1e-3], [1e5, "MPa", 1e-6], [1e9, "GPa", 1e-9]],
+  N: [[0, "nN", 1e9], [1e-6, "µN", 1e6], [1e-3, "mN", 1e3], [1, "N", 1], [1e3, "kN", 1e-3]],
+  J: [[0, "nJ", 1e9], [1e-6, "µJ", 1e6], [1e-3, "mJ", 1e3], [1, "J", 1], [1e3, "kJ", 1e-3]],
+  W: [[0, "nW", 1e9], [1e-6, "µW", 1e6], [1e-3, "mW", 1e3], [1, "W", 1], [1e3, "kW", 1e-3]],
+  "N m": [[0, "nN m", 1e9], [1e-6, "µN m", 1e6], [1e-3, "mN m", 1e3], [1, "N m", 1]],
+  "1/m": [[0, "1/m", 1], [100, "1/mm", 1e-3]],
+};
 
 /** A unit to show, and the factor by which a value is multiplied to be in it. */
 export interface ShownUnit {
@@ -28,26 +37,19 @@ export function write_unit(unit: string | undefined): string {
   if (inverse) return inverse[1]! + superscript(-Number(inverse[2] ?? 1));
   return unit
     .replace(/\bu([msN])\b/g, "µ$1")
-    .replace(/\^(-?\d+)/g, (_all, power: string) => superscript(Number(power)))
+    .replace(/\^(-?\d+)|(?<=[a-z])(\d)(?![\d.])/gi, (_all, power?: string, bare?: string) => superscript(Number(power ?? bare)))
     .replace(/([a-zµ])[ *]([a-z])/gi, "$1·$2")
     .replace(/^degC$/, "°C")
     .replace(/^deg$/, "°");
 }
 
-/** Chooses the SI prefix in which the largest of some magnitudes reads between 1 and 1000. */
+/** Chooses the unit in which the largest of some magnitudes reads well. */
 export function choose_unit(unit: string | undefined, largest: number): ShownUnit {
-  const plain = { unit: write_unit(unit), factor: 1 };
-  if (!unit || !Number.isFinite(largest) || largest <= 0) return plain;
-  const bare = unit === "1/m" ? "m" : unit;
-  if (!scalable.has(bare)) return plain;
-  // 0.9999 keeps a value a round-off below a power of 1000 in the larger unit.
-  const exponent = 3 * Math.floor(Math.log10(largest / 0.9999) / 3);
-  const power = unit === "1/m" ? Math.min(3, Math.max(0, exponent)) : exponent;
-  const prefix = prefixes[unit === "1/m" ? -power : power];
-  if (prefix === undefined) return plain;
-  const factor = 10 ** -power;
-  if (unit === "1/m") return { unit: `${prefix}m⁻¹`, factor };
-  return { unit: write_unit(prefix + unit), factor };
+  const ladder = unit === undefined ? undefined : ladders[unit];
+  if (!ladder || !Number.isFinite(largest) || largest <= 0) return { unit: write_unit(unit), factor: 1 };
+  // 1.0001 keeps a value a round-off below a step on the upper side of it.
+  const [, shown, factor] = ladder.filter(([from]) => largest * 1.0001 >= from).at(-1)!;
+  return { unit: write_unit(shown), factor };
 }
 
 export function largest_magnitude(values: Iterable<Value | undefined>): number {
@@ -81,7 +83,8 @@ function group(text: string): string {
 export function write_component(value: Value, largest: number): string {
   if (!is_number(value) || largest >= 1e6 || largest < 1e-3) return write_number(value);
   const decimals = Math.min(6, Math.max(0, 3 - Math.floor(Math.log10(largest))));
-  return group(value.toFixed(decimals));
+  const text = value.toFixed(decimals);
+  return group(Number(text) === 0 ? text.replace("-", "") : text);
 }
 
 /** Writes a value with the SI prefix that suits it, for text. */

@@ -8,13 +8,13 @@ export interface Palette {
   series: string[];
 }
 
-/** Series colours keep their order of lightness for readers who do not tell hues apart. */
+/** Series colours stay apart also for readers without one kind of cones (tests/report/checks/colours.mjs). */
 export const light_palette: Palette = {
   ink: "#1b1f24",
   muted: "#59616b",
   grid: "#e6e8eb",
   surface: "#ffffff",
-  series: ["#1f5fa8", "#cf5a2c", "#2b8a61", "#7f4aa0", "#b28704", "#2f93a8", "#b0396f", "#6b7078"],
+  series: ["#0055a5", "#c64300", "#00b377", "#ad5c94", "#e28500", "#4185eb", "#4c4878", "#7a244e"],
 };
 
 export const dark_palette: Palette = {
@@ -22,7 +22,7 @@ export const dark_palette: Palette = {
   muted: "#9aa3ad",
   grid: "#2d3238",
   surface: "#16191d",
-  series: ["#78aef2", "#f2946c", "#63c59a", "#c193e0", "#e3bb4e", "#6fcbe0", "#ee88b4", "#a9afb7"],
+  series: ["#5b86e3", "#db7824", "#39e997", "#e085b8", "#e2cc33", "#a3dbff", "#bdc0af", "#ee528b"],
 };
 
 const dark_scheme = window.matchMedia("(prefers-color-scheme: dark)");

@@ -1,6 +1,9 @@
 // Saving figures and their numbers as files: SVG, PNG, CSV.
+import { make_svg } from "./dom";
+import { write_font_rules } from "./font";
 
-function download(name: string, blob: Blob): void {
+/** Hands a file to the reader. */
+export function download(name: string, blob: Blob): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
@@ -33,18 +36,30 @@ export function save_csv(name: string, columns: Column[]): void {
   download(`${name}.csv`, new Blob([write_csv(columns)], { type: "text/csv" }));
 }
 
+/** Writes a figure as a file that carries its type with it. */
+export function write_svg(figure: SVGSVGElement): string {
+  const carrying = figure.cloneNode(true) as SVGSVGElement;
+  carrying.prepend(make_svg("style", {}, write_font_rules()));
+  return new XMLSerializer().serializeToString(carrying);
+}
+
 export function save_svg(name: string, figure: SVGSVGElement): void {
-  const text = new XMLSerializer().serializeToString(figure);
+  const text = write_svg(figure);
   download(`${name}.svg`, new Blob([text], { type: "image/svg+xml" }));
+}
+
+/** Makes pixels of a figure. */
+export async function draw_svg(figure: SVGSVGElement): Promise<HTMLImageElement> {
+  const picture = new Image();
+  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(write_svg(figure))}`;
+  await picture.decode();
+  return picture;
 }
 
 /** Saves a figure as PNG at three times its nominal size (about 300 dpi at column width). */
 export async function save_png(name: string, figure: SVGSVGElement): Promise<void> {
   const scale = 3;
-  const text = new XMLSerializer().serializeToString(figure);
-  const picture = new Image();
-  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
-  await picture.decode();
+  const picture = await draw_svg(figure);
   const canvas = document.createElement("canvas");
   canvas.width = scale * figure.viewBox.baseVal.width;
   canvas.height = scale * figure.viewBox.baseVal.height;

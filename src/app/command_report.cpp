@@ -16,11 +16,21 @@
 
 namespace fiberfate {
 
+namespace {
+
+/// Names the folder also where its path ends in a slash or is ".".
+std::string folder_name(const std::string& path) {
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(path);
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+}  // namespace
+
 int run_report(const ReportOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.folder);
   const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
   ReportDocument document = study_of(loaded).report(loaded.values, folder);
-  document.subtitle = std::filesystem::path(folder.path()).filename().string();
+  document.case_name = folder_name(folder.path());
   document.study = loaded.kind->name;
   document.version = version;
   const std::string page = render_report(document);

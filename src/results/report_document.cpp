@@ -1,7 +1,10 @@
 // Writes a report document as JSON and puts it into the page's template.
 #include "results/report_document.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
@@ -38,7 +41,13 @@ Json write_tensor(const Mat3& tensor) {
 Json write_axis(const ReportAxis& axis) {
   Json json{{"label", axis.label}, {"scale", axis.scale == AxisScale::logarithmic ? "log" : "linear"}};
   add_text(json, "unit", axis.unit);
+  if (!axis.names.empty()) json["names"] = axis.names;
   return json;
+}
+
+const char* name_of(SectionRole role) {
+  constexpr std::array names = {"", "picture", "outcome", "chart", "wide", "detail"};
+  return names[static_cast<std::size_t>(role)];
 }
 
 const char* name_of(CurveStyle style) {
@@ -57,6 +66,7 @@ template <class Section>
 Json start_section(const char* kind, const Section& section) {
   Json json{{"kind", kind}, {"id", section.id}, {"title", section.title}};
   add_text(json, "caption", section.caption);
+  if constexpr (requires { section.role; }) add_text(json, "role", name_of(section.role));
   return json;
 }
 
@@ -80,7 +90,20 @@ Json write_section(const FactsSection& section) {
     Json row{{"label", fact.label}, {"value", std::visit(ValueWriter{}, fact.value)}};
     add_text(row, "unit", fact.unit);
     add_text(row, "note", fact.note);
+    if (fact.prominence == Prominence::headline) row["headline"] = true;
     json["rows"].push_back(std::move(row));
+  }
+  return json;
+}
+
+Json write_series(const std::vector<ReportSeries>& all) {
+  Json json = Json::array();
+  for (const ReportSeries& series : all) {
+    Json entry{{"label", series.label}, {"values", series.values}, {"style", name_of(series.style)}};
+    add_values(entry, "x", series.x);
+    add_values(entry, "low", series.low);
+    add_values(entry, "high", series.high);
+    json.push_back(std::move(entry));
   }
   return json;
 }
@@ -91,14 +114,7 @@ Json write_section(const LinesSection& section) {
   json["x"] = write_axis(section.x);
   add_values(json["x"], "values", section.x_values);
   json["y"] = write_axis(section.y);
-  json["series"] = Json::array();
-  for (const ReportSeries& series : section.series) {
-    Json entry{{"label", series.label}, {"values", series.values}, {"style", name_of(series.style)}};
-    add_values(entry, "x", series.x);
-    add_values(entry, "low", series.low);
-    add_values(entry, "high", series.high);
-    json["series"].push_back(std::move(entry));
-  }
+  json["series"] = write_series(section.series);
   return json;
 }
 
@@ -114,6 +130,7 @@ Json write_section(const HistogramSection& section) {
   json["frames"] = Json::array();
   for (const HistogramFrame& frame : section.frames) json["frames"].push_back(write_histogram_frame(frame));
   if (section.reference) json["reference"] = write_histogram_frame(*section.reference);
+  if (!section.curves.empty()) json["curves"] = write_series(section.curves);
   return json;
 }
 
@@ -146,21 +163,64 @@ Json write_section(const HeatmapSection& section) {
   return json;
 }
 
-Json write_fiber_frame(const FiberFrame& frame) {
+/// Writes nodes as steps between the corners of the box around them.
+Json write_grid(const std::vector<float>& points) {
+  constexpr double steps = std::numeric_limits<std::uint16_t>::max();
+  std::array<double, 3> low, step;
+  for (std::size_t k = 0; k < 3; ++k) {
+    auto [least, most] = std::pair(points.empty() ? 0.0F : points[k], points.empty() ? 0.0F : points[k]);
+    for (std::size_t i = k; i < points.size(); i += 3) {
+      least = std::min(least, points[i]);
+      most = std::max(most, points[i]);
+    }
+    low[k] = least;
+    step[k] = (static_cast<double>(most) - least) / steps;
+  }
+  std::vector<std::uint16_t> whole(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (step[i % 3] > 0)
+      whole[i] = static_cast<std::uint16_t>(std::lround((points[i] - low[i % 3]) / step[i % 3]));
+  return {{"steps", encode(whole)}, {"corner", low}, {"step", step}};
+}
+
+Json write_fiber_frame(const FiberFrame& frame, NodeEncoding encoding) {
   Json lattice = Json::array();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) lattice.push_back(frame.lattice(i, j));
   }
-  return {{"time_s", frame.time_s},         {"lattice", std::move(lattice)},
-          {"periodic", frame.periodic},     {"offsets", encode(frame.offsets)},
-          {"points", encode(frame.points)}, {"birth", encode(frame.birth)},
-          {"radius", encode(frame.radius)}};
+  Json json{{"time_s", frame.time_s},
+            {"lattice", std::move(lattice)},
+            {"periodic", frame.periodic},
+            {"offsets", encode(frame.offsets)}};
+  if (frame.strain) json["strain"] = *frame.strain;
+  if (encoding == NodeEncoding::grid) {
+    json["grid"] = write_grid(frame.points);
+  } else {
+    json["points"] = encode(frame.points);
+  }
+  json["birth"] = encode(frame.birth);
+  json["radius"] = encode(frame.radius);
+  if (!frame.birth_node.empty()) json["birth_node"] = encode(frame.birth_node);
+  return json;
+}
+
+Json write_breaks(const std::vector<FiberBreak>& breaks) {
+  std::vector<float> times;
+  std::vector<std::int32_t> births, nodes;
+  for (const FiberBreak& one : breaks) {
+    times.push_back(static_cast<float>(one.time_s));
+    births.push_back(one.birth);
+    nodes.push_back(one.node);
+  }
+  return {{"time_s", encode(times)}, {"birth", encode(births)}, {"node", encode(nodes)}};
 }
 
 Json write_section(const FibersSection& section) {
   Json json = start_section("fibers", section);
   json["frames"] = Json::array();
-  for (const FiberFrame& frame : section.frames) json["frames"].push_back(write_fiber_frame(frame));
+  for (const FiberFrame& frame : section.frames)
+    json["frames"].push_back(write_fiber_frame(frame, section.encoding));
+  if (!section.breaks.empty()) json["breaks"] = write_breaks(section.breaks);
   return json;
 }
 
@@ -174,6 +234,15 @@ const char* name_of(PlaceMark mark) {
       break;
   }
   return "place";
+}
+
+Json write_layers(const ShellLayers& layers) {
+  Json json{{"heights", layers.heights}, {"thickness", encode(layers.thickness)}, {"fields", Json::array()}};
+  for (const ShellLayers::Field& field : layers.fields) {
+    json["fields"].push_back({{"label", field.label}, {"values", encode(field.values)}});
+    add_text(json["fields"].back(), "unit", field.unit);
+  }
+  return json;
 }
 
 Json write_section(const ShellSection& section) {
@@ -195,6 +264,15 @@ Json write_section(const ShellSection& section) {
                               {"at", {place.at.x(), place.at.y(), place.at.z()}}});
   for (const ShellLines& lines : section.lines)
     json["lines"].push_back({{"label", lines.label}, {"segments", encode(lines.segments)}});
+  for (const ShellTensors& tensors : section.tensors)
+    json["tensors"].push_back({{"label", tensors.label}, {"frames", {encode(tensors.values)}}});
+  for (const ShellDirections& directions : section.directions) {
+    json["directions"].push_back({{"label", directions.label},
+                                  {"at", encode(directions.at)},
+                                  {"vectors", encode(directions.vectors)}});
+    add_text(json["directions"].back(), "unit", directions.unit);
+  }
+  if (section.layers) json["layers"] = write_layers(*section.layers);
   return json;
 }
 
@@ -215,7 +293,8 @@ std::string escape_for_script(const std::string& json) {
 }  // namespace
 
 std::string write_report_json(const ReportDocument& document) {
-  Json json{{"schema", 1}, {"title", document.title}};
+  Json json{{"schema", 2}, {"title", document.title}};
+  add_text(json, "case", document.case_name);
   add_text(json, "subtitle", document.subtitle);
   add_text(json, "study", document.study);
   add_text(json, "version", document.version);

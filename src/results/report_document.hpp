@@ -25,7 +25,15 @@ struct ReportAxis {
   std::string label;
   std::string unit = {};  ///< empty when there is none
   AxisScale scale = AxisScale::linear;
+  std::vector<std::string> names = {};  ///< of places at 1, 2, 3, …; empty: numbers
 };
+
+/// Where a section stands on the page: with the picture on top, among the results or the charts (a wide one
+/// takes both columns), or folded away. The page goes by the kind of a section that does not say.
+enum class SectionRole { by_kind, picture, outcome, chart, wide, detail };
+
+/// Whether a fact is among the few that a reader wants first.
+enum class Prominence { ordinary, headline };
 
 /// Says how a curve is drawn.
 enum class CurveStyle { line, dashed, points };
@@ -36,6 +44,7 @@ struct Fact {
   std::variant<std::string, double, std::int64_t, Mat3> value;
   std::string unit = {};
   std::string note = {};
+  Prominence prominence = Prominence::ordinary;
 };
 
 /// Lists labelled values.
@@ -44,6 +53,7 @@ struct FactsSection {
   std::string title;
   std::vector<Fact> rows;
   std::string caption = {};
+  SectionRole role = SectionRole::by_kind;
 };
 
 /// Holds one curve.
@@ -66,6 +76,7 @@ struct LinesSection {
   std::vector<ReportSeries> series;
   std::string caption = {};
   enum class Scales { independent, equal } scales = Scales::independent;  ///< equal: for pictures of things
+  SectionRole role = SectionRole::by_kind;
 };
 
 /// Holds the counts of one histogram.
@@ -84,6 +95,8 @@ struct HistogramSection {
   std::vector<HistogramFrame> frames;
   std::optional<HistogramFrame> reference = {};
   std::string caption = {};
+  std::vector<ReportSeries> curves = {};  ///< drawn over the bars, each with its own x
+  SectionRole role = SectionRole::by_kind;
 };
 
 /// Names a column of a table.
@@ -101,6 +114,7 @@ struct TableSection {
   std::vector<TableColumn> columns;
   std::vector<std::vector<TableCell>> rows;
   std::string caption = {};
+  SectionRole role = SectionRole::by_kind;
 };
 
 /// Shows a field over two axes.
@@ -115,6 +129,7 @@ struct HeatmapSection {
   std::string label = {};                   ///< what the values are
   std::string unit = {};
   std::string caption = {};
+  SectionRole role = SectionRole::by_kind;
 };
 
 /// Holds the fibers at one time; all lengths in m.
@@ -122,11 +137,24 @@ struct FiberFrame {
   double time_s = 0;
   Mat3 lattice = Mat3::Zero();  ///< columns are the lattice vectors; zero: there is no cell
   std::array<bool, 3> periodic = {true, true, true};
+  std::optional<double> strain = {};       ///< shear strain since the start
   std::vector<std::int32_t> offsets = {};  ///< node offsets, fibers + 1
   std::vector<float> points = {};          ///< nodes, xyz xyz …, unwrapped along a fiber
   std::vector<std::int32_t> birth = {};    ///< birth fiber, one a fiber
   std::vector<float> radius = {};          ///< one a fiber
+  std::vector<std::int32_t> birth_node =
+      {};  ///< first node along the birth fiber, one a fiber; empty: unknown
 };
+
+/// Tells when a hinge broke.
+struct FiberBreak {
+  double time_s = 0;
+  std::int32_t birth = 0;  ///< birth fiber
+  std::int32_t node = 0;   ///< node along it
+};
+
+/// How nodes are written: as float32, or as uint16 steps between the corners of each frame, half as large.
+enum class NodeEncoding { exact, grid };
 
 /// Shows the cell in three dimensions over time.
 struct FibersSection {
@@ -134,6 +162,8 @@ struct FibersSection {
   std::string title;
   std::vector<FiberFrame> frames;
   std::string caption = {};
+  std::vector<FiberBreak> breaks = {};  ///< empty: the page sees them between frames
+  NodeEncoding encoding = NodeEncoding::exact;
 };
 
 /// Holds a field at the nodes of a part.
@@ -159,6 +189,32 @@ struct ShellLines {
   std::vector<float> segments = {};  ///< xyz xyz a segment, m
 };
 
+/// Holds symmetric tensors at the nodes of a part, 11 22 33 23 31 12 each.
+struct ShellTensors {
+  std::string label;
+  std::vector<float> values = {};  ///< of the last time
+};
+
+/// Holds directions at places of a part; their length is their size.
+struct ShellDirections {
+  std::string label;
+  std::string unit = {};
+  std::vector<float> at = {};       ///< xyz, m
+  std::vector<float> vectors = {};  ///< xyz
+};
+
+/// Holds profiles from the mid-plane to the wall at the last time.
+struct ShellLayers {
+  std::vector<double> heights = {};   ///< of the layers, over half of the thickness
+  std::vector<float> thickness = {};  ///< at each node, m
+  struct Field {
+    std::string label;
+    std::string unit = {};
+    std::vector<float> values = {};  ///< layers of a node together
+  };
+  std::vector<Field> fields = {};
+};
+
 /// Shows a part that fills, in three dimensions over time.
 struct ShellSection {
   std::string id;
@@ -171,6 +227,9 @@ struct ShellSection {
   std::vector<ShellPlace> places = {};
   std::vector<ShellLines> lines = {};
   std::string caption = {};
+  std::vector<ShellTensors> tensors = {};
+  std::vector<ShellDirections> directions = {};
+  std::optional<ShellLayers> layers = {};
 };
 
 using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection,
@@ -178,7 +237,8 @@ using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection,
 
 /// Holds what a report shows, from top to bottom.
 struct ReportDocument {
-  std::string title;
+  std::string title;           ///< what kind of report this is
+  std::string case_name = {};  ///< of the case or its folder; the page's main heading
   std::string subtitle = {};
   std::string study = {};
   std::string version = {};
@@ -186,7 +246,7 @@ struct ReportDocument {
   std::vector<ReportSection> sections = {};
 };
 
-/// Writes the document as JSON, schema 1.
+/// Writes the document as JSON, schema 2.
 [[nodiscard]] std::string write_report_json(const ReportDocument& document);
 
 /// Renders the document as one HTML page that needs no other file and no network.

@@ -1,25 +1,20 @@
 // Opens a report from disk in headless Chromium with the network cut and compares what it shows with its document:
 //   node check_report.mjs [--modules NODE_MODULES] [--chromium PROGRAM] [--screenshot PNG] REPORT.html | --template TEMPLATE.html
 // The second form puts the synthetic document of fixture.mjs into the template first.
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
 import { parseArgs } from "node:util";
+import { browser_options, launch_browser, open_page } from "./browser.mjs";
 import { Expect, plain_label } from "./checks/expect.mjs";
 import { check_fibers } from "./checks/fibers.mjs";
 import { check_heatmap, check_histogram } from "./checks/histogram.mjs";
 import { check_lines } from "./checks/lines.mjs";
+import { check_look, check_tiles, looks } from "./checks/page.mjs";
 import { check_shell } from "./checks/shell.mjs";
 import { check_facts, check_note, check_table } from "./checks/text.mjs";
 import { fill_template } from "./fill_template.mjs";
 import { make_document } from "./fixture.mjs";
-
-const browser_arguments = [
-  "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-];
 
 const checks = {
   facts: check_facts, lines: check_lines, scatter: check_lines, histogram: check_histogram, table: check_table,
@@ -29,36 +24,33 @@ const checks = {
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
   options: {
-    modules: { type: "string", default: fileURLToPath(new URL("../../report/node_modules", import.meta.url)) },
-    chromium: { type: "string", default: "/usr/bin/chromium" },
+    ...browser_options,
     template: { type: "string" },
     screenshot: { type: "string" },
   },
 });
 
-/** Opens the report on a page that may load nothing but itself, and notes every error. */
-async function open_report(browser, file, expect, allowed_error = /(?!)/) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true });
-  const page = await context.newPage();
-  page.on("console", (message) => {
-    const bad = message.type() === "error" && !allowed_error.test(message.text());
-    if (bad) expect.that(false, `console error: ${message.text()}`);
+/** Opens the report and notes every error and every attempt to load something. */
+function open_report(browser, file, expect, { look = {}, allowed_error = /(?!)/ } = {}) {
+  return open_page(browser, file, look, (page) => {
+    page.on("console", (message) => {
+      const bad = message.type() === "error" && !allowed_error.test(message.text());
+      if (bad) expect.that(false, `console error: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => expect.that(false, `uncaught ${error.stack}`));
+    page.on("request", (request) => {
+      const own = /^(file|data|blob):/.test(request.url());
+      if (!own) expect.that(false, `the page asked for ${request.url()}`);
+    });
   });
-  page.on("pageerror", (error) => expect.that(false, `uncaught ${error.stack}`));
-  page.on("request", (request) => {
-    const own = /^(file|data|blob):/.test(request.url());
-    if (!own) expect.that(false, `the page asked for ${request.url()}`);
-  });
-  await page.goto(pathToFileURL(file).href);
-  await page.waitForSelector("main section");
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return page;
 }
 
 async function check_page(page, found, expect) {
-  expect.equal(await page.locator("h1").textContent(), plain_label(found.title), "title");
+  expect.equal(await page.locator("h1").textContent(), plain_label(found.case ?? found.title), "title");
+  await check_tiles(page, found, expect);
+  await page.evaluate(() => document.querySelectorAll("details.fold").forEach((folded) => { folded.open = true; }));
   expect.equal(await page.locator("nav a").count(), found.sections.length, "entries of the contents");
-  expect.equal(await page.locator("main > section").count(), found.sections.length, "sections");
+  expect.equal(await page.locator("main section").count(), found.sections.length, "sections");
   for (const section of found.sections) {
     try {
       await (checks[section.kind] ?? check_note)(page, section, expect);
@@ -68,9 +60,22 @@ async function check_page(page, found, expect) {
   }
 }
 
+/** The page as it is read on a large screen, on a small one, at night and on paper. */
+async function check_looks(browser, file, expect) {
+  for (const [name, look] of Object.entries(looks)) {
+    const page = await open_report(browser, file, expect, { look });
+    try {
+      await check_look(page, name, expect);
+    } catch (error) {
+      expect.that(false, `${name}: the check could not go on: ${error.stack}`);
+    }
+    await page.context().close();
+  }
+}
+
 /** Without WebGL the page must say so and show everything else. */
 async function check_without_webgl(browser, file, found, expect) {
-  const page = await open_report(browser, file, expect, /WebGL/);
+  const page = await open_report(browser, file, expect, { allowed_error: /WebGL/ });
   await page.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
@@ -83,10 +88,9 @@ async function check_without_webgl(browser, file, found, expect) {
     const text = await page.locator(`[id="${section.id}"] .stage`).textContent();
     expect.that(text.includes("WebGL"), `${section.id}: the page says that WebGL is missing`);
   }
-  expect.equal(await page.locator("main > section").count(), found.sections.length, "sections without WebGL");
+  expect.equal(await page.locator("main section").count(), found.sections.length, "sections without WebGL");
 }
 
-const { chromium } = createRequire(join(resolve(options.modules), "anchor.js"))("playwright-core");
 const folder = mkdtempSync(join(tmpdir(), "fiberfate-report-"));
 const expect = new Expect();
 try {
@@ -96,13 +100,17 @@ try {
     writeFileSync(file, fill_template(readFileSync(options.template, "utf8"), make_document()));
   }
   if (!file) throw new Error("name a report, or a template with --template");
-  const browser = await chromium.launch({ executablePath: options.chromium, args: browser_arguments });
+  const browser = await launch_browser(options);
   try {
+    const begun = performance.now();
     const page = await open_report(browser, file, expect);
+    console.log(`${(statSync(file).size / 1e6).toFixed(1)} MB, drawn after ${((performance.now() - begun) / 1e3).toFixed(1)} s`);
     const found = JSON.parse(await page.locator("#fiberfate-document").textContent());
     // Before the checks, which zoom into plots.
     if (options.screenshot) await page.screenshot({ path: options.screenshot, fullPage: true });
     await check_page(page, found, expect);
+    await page.context().close();
+    await check_looks(browser, file, expect);
     await check_without_webgl(browser, file, found, expect);
   } finally {
     await browser.close();

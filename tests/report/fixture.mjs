@@ -51,15 +51,17 @@ function shape_fiber(fiber, rods, time) {
   const width = Math.hypot(...aside) || 1;
   const across = [aside[0] / width, aside[1] / width, 0];
   const step = fiber_length / rods;
-  const nodes = [[fiber.middle[0] + rate * time * fiber.middle[1] - (p[0] * fiber_length) / 2,
-    fiber.middle[1] - (p[1] * fiber_length) / 2, fiber.middle[2] - (p[2] * fiber_length) / 2]];
+  const nodes = [[0, 0, 0]];
   const bend = fiber.bend * Math.min(1, 0.15 + 2 * time);
   for (let rod = 0; rod < rods; ++rod) {
     const angle = bend * Math.sin((Math.PI * (rod + 0.5)) / rods + 0.6 * Math.sin(fiber.phase + 3 * time));
     const last = nodes.at(-1);
     nodes.push([0, 1, 2].map((k) => last[k] + step * (Math.cos(angle) * p[k] + Math.sin(angle) * across[k])));
   }
-  return nodes;
+  // The melt carries the middle of a fiber along, however it is bent.
+  const wanted = [fiber.middle[0] + rate * time * fiber.middle[1], fiber.middle[1], fiber.middle[2]];
+  const found = [0, 1, 2].map((k) => nodes.reduce((sum, node) => sum + node[k], 0) / nodes.length);
+  return nodes.map((node) => node.map((value, k) => value + wanted[k] - found[k]));
 }
 
 function pieces_at(fiber, rods, time) {
@@ -77,12 +79,14 @@ function make_frame(fibers, rods, time) {
   const offsets = [0];
   const points = [];
   const birth = [];
+  const birth_node = [];
   fibers.forEach((fiber, id) => {
     const nodes = shape_fiber(fiber, rods, time);
     for (const [from, to] of pieces_at(fiber, rods, time)) {
       for (let node = from; node <= to; ++node) points.push(...nodes[node]);
       offsets.push(points.length / 3);
       birth.push(id);
+      birth_node.push(from);
     }
   });
   const tilt = ((rate * time + 0.5) % 1) - 0.5;
@@ -92,6 +96,7 @@ function make_frame(fibers, rods, time) {
     offsets: encode(Int32Array.from(offsets)),
     points: encode(Float32Array.from(points)),
     birth: encode(Int32Array.from(birth)),
+    birth_node: encode(Int32Array.from(birth_node)),
     radius: encode(new Float32Array(birth.length).fill(radius)),
   };
 }

@@ -25,6 +25,8 @@ export interface Curves {
   y_label: string;
   /** A unit is as long on x as on y. */
   equal: boolean;
+  /** Names of places along x, at 1, 2, 3, … */
+  x_names?: string[];
 }
 
 function scale_all(values: Value[], factor: number): Value[] {
@@ -51,7 +53,7 @@ export function make_curves(section: LinesSection): Curves {
     last: series.values.filter(is_number).at(-1) ?? null,
     source: series,
   }));
-  return { curves, x_unit, y_unit, x_label: section.x.label, y_label: section.y.label, equal };
+  return { curves, x_unit, y_unit, x_label: section.x.label, y_label: section.y.label, equal, x_names: section.x.names };
 }
 
 /** Tells whether a value has a place on a scale. */
@@ -93,7 +95,8 @@ export function range_of_y(curves: Curve[], scale: Scale, from = -Infinity, to =
 }
 
 /** Gives the range in x of all curves, without room at the ends: time starts at the axis. */
-export function range_of_x(curves: Curve[], scale: Scale): [number, number] {
+export function range_of_x({ curves, x_names }: Curves, scale: Scale): [number, number] {
+  if (x_names) return [0.5, x_names.length + 0.5];
   let min = Infinity;
   let max = -Infinity;
   for (const curve of curves) {

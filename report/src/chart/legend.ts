@@ -1,6 +1,7 @@
 // The legend of a chart: a button a curve that shows its value under the cursor and hides it on a click.
 import { make, make_label } from "../dom";
-import { write_number } from "../format";
+import { is_number, type Value } from "../document";
+import { largest_magnitude, write_number } from "../format";
 import type { Palette } from "../palette";
 import type { Curve, Curves } from "./curves";
 import { find_nearest } from "./nearest";
@@ -30,16 +31,21 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
   return [button, value];
 }
 
+const round_off = 1e-12;
+
 /** Makes the legend; `toggled` is called when a curve is shown or hidden. */
 export function make_legend(section: string, made: Curves, toggled: () => void): Legend {
   const entries = made.curves.map((curve) => make_entry(section, curve, made.y_unit.unit, toggled));
   const where = make("span", { class: "where", "aria-live": "off" });
   const element = make("div", { class: "legend" }, ...entries.map(([button]) => button), where);
+  const largest = largest_magnitude(made.curves.flatMap(({ y }) => y));
+  // What is left of a difference by round-off is told as nothing.
+  const quiet = (value: Value | undefined): Value | undefined => (is_number(value) && Math.abs(value) < round_off * largest ? 0 : value);
   const show = (x: number | undefined): void => {
     made.curves.forEach((curve, k) => {
       const index = x === undefined ? undefined : find_nearest(curve, x);
       const last = curve.last === null ? null : curve.last * made.y_unit.factor;
-      entries[k]![1].textContent = write_number(index === undefined ? last : curve.y[index]);
+      entries[k]![1].textContent = write_number(quiet(index === undefined ? last : curve.y[index]));
     });
     where.replaceChildren();
     if (x === undefined) where.append("last values");

@@ -1,8 +1,9 @@
 // A live chart of curves on uPlot: zoom by drag, values under the cursor, linear or logarithmic axes.
 import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
-import { figure_font } from "../figure/frame";
+import { chart_font, chart_height, chart_room } from "../figure/size";
 import { make_ticks } from "../figure/ticks";
+import { figure_font } from "../font";
 import { write_number } from "../format";
 import { current_palette, type Palette } from "../palette";
 import { type Curves, fits, make_equal, range_of_x, range_of_y } from "./curves";
@@ -23,28 +24,25 @@ export interface LineChartRequest {
   moved: (x: number | undefined) => void;
 }
 
-const chart_height = 340;
-const picture_height = 520; // of curves with one scale for both axes
-const axis_room = { x: 32, y: 64 };
-const padding = { top: 10, right: 12 };
-
-function height_of(made: Curves): number {
-  return made.equal ? picture_height : chart_height;
+/** A picture of things is nearly as high as it is wide. */
+function height_of(made: Curves, width: number): number {
+  return made.equal ? Math.max(chart_height, Math.round(0.8 * width)) : chart_height;
 }
 
-function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis {
+function make_axis(palette: Palette, side: "x" | "y", scale: Scale, names?: string[]): uPlot.Axis {
   return {
     stroke: palette.muted,
-    font: `12px ${figure_font}`,
-    size: axis_room[side],
+    font: `${chart_font}px ${figure_font}`,
+    size: side === "x" ? chart_room.bottom : chart_room.left,
     grid: { show: side === "y", stroke: palette.grid, width: 1 },
     ticks: { stroke: palette.muted, width: 1, size: 5 },
     border: { show: true, stroke: palette.muted, width: 1 },
     splits: (plot, _axis, min, max) => {
+      if (names) return names.map((_name, k) => k + 1);
       const pixels = (side === "x" ? plot.bbox.width : plot.bbox.height) / uPlot.pxRatio;
       return make_ticks(min, max, scale, Math.max(2, Math.round(pixels / (side === "x" ? 95 : 62))));
     },
-    values: (_plot, splits) => splits.map((split) => write_number(split)),
+    values: (_plot, splits) => splits.map((split) => names?.[split - 1] ?? write_number(split)),
     filter: (_plot, splits) => splits,
   };
 }
@@ -64,23 +62,23 @@ function make_options(request: LineChartRequest, zoom: () => [number, number] | 
   const { made, scales, host } = request;
   const width = (): number => host.clientWidth || 640;
   const ranges = (): { x: [number, number]; y: [number, number] } => {
-    const x = zoom() ?? range_of_x(made.curves, scales.x);
+    const x = zoom() ?? range_of_x(made, scales.x);
     const y = range_of_y(made.curves, scales.y, ...x);
     if (!made.equal) return { x, y };
-    const plot_width = width() - axis_room.y - padding.right;
-    return make_equal(x, y, plot_width / (picture_height - axis_room.x - padding.top));
+    const plot_width = width() - chart_room.left - chart_room.right;
+    return make_equal(x, y, plot_width / (height_of(made, width()) - chart_room.bottom - chart_room.top));
   };
   return {
     width: width(),
-    height: height_of(made),
-    padding: [padding.top, padding.right, 0, 0],
+    height: height_of(made, width()),
+    padding: [chart_room.top, chart_room.right, 0, 0],
     legend: { show: false },
     cursor: { y: false, points: { show: false }, drag: { x: true, y: false } },
     scales: {
       x: { time: false, distr: scales.x === "log" ? 3 : 1, range: () => ranges().x },
       y: { distr: scales.y === "log" ? 3 : 1, range: () => ranges().y },
     },
-    axes: [make_axis(palette, "x", scales.x), make_axis(palette, "y", scales.y)],
+    axes: [make_axis(palette, "x", scales.x, made.x_names), make_axis(palette, "y", scales.y)],
     series: [{}, { show: true, stroke: "transparent", points: { show: false } }],
     hooks: {
       draw: [(plot) => draw_curves(plot, made.curves, scales, palette)],
@@ -116,6 +114,6 @@ export function make_line_chart(request: LineChartRequest): LineChart {
     build();
   };
   build();
-  new ResizeObserver(() => plot?.setSize({ width: request.host.clientWidth, height: height_of(request.made) })).observe(request.host);
+  new ResizeObserver(() => plot?.setSize({ width: request.host.clientWidth, height: height_of(request.made, request.host.clientWidth) })).observe(request.host);
   return { rebuild: build, reset_zoom, zoomed: () => zoom };
 }

@@ -1,8 +1,10 @@
 // The frame of a vector figure: axes, ticks, titles, and the map from values to places.
 import type { Scale } from "../document";
 import { make_svg } from "../dom";
+import { figure_font } from "../font";
 import { split_label, write_number } from "../format";
 import type { Palette } from "../palette";
+import type { FigureSize } from "./size";
 import { make_ticks } from "./ticks";
 
 export interface FrameAxis {
@@ -10,19 +12,21 @@ export interface FrameAxis {
   min: number;
   max: number;
   scale: Scale;
+  /** Names that stand at 1, 2, 3, … instead of numbers. */
+  names?: string[];
 }
 
 export interface FrameRequest {
   x: FrameAxis;
   y: FrameAxis;
   palette: Palette;
+  size: FigureSize;
   description: string;
   /** Room at the right for a colour bar. */
   right?: number;
   /** Room at the top for a legend. */
   top?: number;
   grid?: "both" | "none";
-  height?: number;
 }
 
 export interface Frame {
@@ -36,12 +40,6 @@ export interface Frame {
   top: number;
   bottom: number;
 }
-
-export const figure_width = 720;
-export const figure_height = 400;
-/** Room around the plot for ticks and titles. */
-export const room = { left: 78, right: 14, top: 14, bottom: 56 };
-export const figure_font = "'Helvetica Neue', Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
 let clips = 0;
 
@@ -64,22 +62,28 @@ export function make_svg_text(label: string, attributes: Record<string, string |
   return text;
 }
 
+function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number; text: string }[] {
+  if (axis.names) return axis.names.map((text, k) => ({ at: k + 1, text }));
+  const count = Math.max(2, Math.round(length / apart));
+  return make_ticks(axis.min, axis.max, axis.scale, count).map((at) => ({ at, text: write_number(at) }));
+}
+
 function draw_ticks(frame: Frame, request: FrameRequest): void {
-  const { palette, x, y } = request;
-  const axes = make_svg("g", { "font-size": 13, fill: palette.muted, stroke: "none" });
+  const { palette, x, y, size } = request;
+  const { font } = size;
+  const axes = make_svg("g", { "font-size": font, fill: palette.muted, stroke: "none" });
   const grid = request.grid !== "none";
-  for (const tick of make_ticks(x.min, x.max, x.scale, 7)) {
-    const at = frame.to_x(tick);
+  for (const { at: value, text } of ticks_of(x, frame.right - frame.left, 7.9 * font)) {
+    const at = frame.to_x(value);
     const end = frame.bottom + 5;
     axes.append(make_svg("line", { x1: at, x2: at, y1: frame.bottom, y2: end, stroke: palette.muted }));
-    axes.append(make_svg("text", { class: "tick-x", x: at, y: end + 14, "text-anchor": "middle" }, write_number(tick)));
+    axes.append(make_svg("text", { class: "tick-x", x: at, y: end + 1.1 * font, "text-anchor": "middle" }, text));
   }
-  for (const tick of make_ticks(y.min, y.max, y.scale, 5)) {
-    const at = frame.to_y(tick);
-    const from = grid ? frame.right : frame.left;
+  for (const { at: value, text } of ticks_of(y, frame.bottom - frame.top, 5.2 * font)) {
+    const at = frame.to_y(value);
     axes.append(make_svg("line", { x1: frame.left - 5, x2: frame.left, y1: at, y2: at, stroke: palette.muted }));
-    if (grid) axes.append(make_svg("line", { x1: frame.left, x2: from, y1: at, y2: at, stroke: palette.grid }));
-    axes.append(make_svg("text", { class: "tick-y", x: frame.left - 9, y: at + 4.5, "text-anchor": "end" }, write_number(tick)));
+    if (grid) axes.append(make_svg("line", { x1: frame.left, x2: frame.right, y1: at, y2: at, stroke: palette.grid }));
+    axes.append(make_svg("text", { class: "tick-y", "data-at": at, x: frame.left - 9, y: at + 0.35 * font, "text-anchor": "end" }, text));
   }
   const corner = `M${frame.left},${frame.top}V${frame.bottom}H${frame.right}`;
   axes.append(make_svg("path", { d: corner, fill: "none", stroke: palette.muted }));
@@ -87,30 +91,37 @@ function draw_ticks(frame: Frame, request: FrameRequest): void {
 }
 
 function draw_titles(frame: Frame, request: FrameRequest): void {
+  const { font } = request.size;
   const middle = (frame.top + frame.bottom) / 2;
-  const style = { "font-size": 14, fill: request.palette.ink, "text-anchor": "middle" };
-  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + 42 };
-  const beside = { ...style, x: 18, y: middle, transform: `rotate(-90 18 ${middle})` };
+  const style = { "font-size": 1.08 * font, fill: request.palette.ink, "text-anchor": "middle" };
+  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + 3.2 * font };
+  const beside = { ...style, x: 1.3 * font, y: middle, transform: `rotate(-90 ${1.3 * font} ${middle})` };
   frame.svg.append(make_svg_text(request.x.title, below), make_svg_text(request.y.title, beside));
+}
+
+function place_edges({ size, right, top }: FrameRequest): { left: number; right: number; top: number; bottom: number } {
+  return {
+    left: size.room.left,
+    right: size.width - (right ?? size.room.right),
+    top: size.room.top + (top ?? 0),
+    bottom: size.height - size.room.bottom,
+  };
 }
 
 /** Draws axes and titles and hands back the plot to draw in. */
 export function make_frame(request: FrameRequest): Frame {
-  const height = request.height ?? figure_height;
-  const edges = {
-    left: room.left,
-    right: figure_width - (request.right ?? room.right),
-    top: room.top + (request.top ?? 0),
-    bottom: height - room.bottom,
-  };
+  const { size } = request;
+  const edges = place_edges(request);
   const svg = make_svg("svg", {
     xmlns: "http://www.w3.org/2000/svg",
-    viewBox: `0 0 ${figure_width} ${height}`,
-    width: figure_width,
-    height,
+    viewBox: `0 0 ${size.width} ${size.height}`,
+    width: size.width,
+    height: size.height,
     "font-family": figure_font,
     role: "img",
     "aria-label": request.description,
+    "data-left": edges.left,
+    "data-right": edges.right,
   });
   const clip = `clip-${++clips}`;
   const { left, right, top, bottom } = edges;
@@ -128,6 +139,6 @@ export function make_frame(request: FrameRequest): Frame {
   svg.append(make_svg("defs", {}, make_svg("clipPath", { id: clip }, box)));
   draw_ticks(frame, request);
   svg.append(plot);
-  draw_titles(frame, request);
+  if (size.titles === "drawn") draw_titles(frame, request);
   return frame;
 }

@@ -4,7 +4,8 @@ import { make_svg } from "../dom";
 import { choose_unit, largest_magnitude, write_axis_title, write_number, write_quantity } from "../format";
 import { css_colour, type Palette, sample_map } from "../palette";
 import { type Frame, make_frame, make_svg_text } from "./frame";
-import { linear_ticks } from "./ticks";
+import type { FigureSize } from "./size";
+import { bar_ticks } from "./ticks";
 
 /** Gives the borders of cells whose middles are known: halfway between, and as far out at the ends. */
 function borders_of(middles: number[]): number[] {
@@ -40,8 +41,8 @@ function range_of(values: Value[][]): Range {
   return range.min === range.max ? { min: range.min, max: range.min + 1 } : range;
 }
 
-function draw_bar(frame: Frame, section: HeatmapSection, range: Range, palette: Palette): void {
-  const left = frame.right + 22;
+function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette, font }: { palette: Palette; font: number }): void {
+  const left = frame.right + 18;
   const height = frame.bottom - frame.top;
   const unit = choose_unit(section.unit, Math.max(Math.abs(range.min), Math.abs(range.max)));
   const steps = 64;
@@ -51,21 +52,29 @@ function draw_bar(frame: Frame, section: HeatmapSection, range: Range, palette: 
       fill: css_colour(sample_map("viridis", (k + 0.5) / steps)),
     }));
   }
-  for (const tick of linear_ticks(range.min * unit.factor, range.max * unit.factor, 5)) {
+  for (const tick of bar_ticks(range.min * unit.factor, range.max * unit.factor)) {
     const at = frame.bottom - (height * (tick / unit.factor - range.min)) / (range.max - range.min);
-    const place = { x: left + 20, y: at + 4.5, "font-size": 13, fill: palette.muted };
-    frame.svg.append(make_svg("text", place, write_number(tick)));
+    const place = { class: "tick-bar", x: left + 20, y: at + 0.35 * font, "font-size": font, fill: palette.muted };
+    frame.svg.append(make_svg("text", place, write_number(tick, 3)));
   }
   const middle = (frame.top + frame.bottom) / 2;
   const title = write_axis_title(section.label ?? "", unit.unit);
   frame.svg.append(make_svg_text(title, {
-    x: left + 78, y: middle, "font-size": 14, fill: palette.ink, "text-anchor": "middle",
-    transform: `rotate(-90 ${left + 78} ${middle})`,
+    x: left + 5.9 * font, y: middle, "font-size": 1.08 * font, fill: palette.ink, "text-anchor": "middle",
+    transform: `rotate(-90 ${left + 5.9 * font} ${middle})`,
   }));
 }
 
+/** Titles the axes in the units of the figure. */
+export function heatmap_titles(section: HeatmapSection): { x: string; y: string } {
+  const columns = section.values[0]?.length ?? 0;
+  const x_unit = choose_unit(section.x.unit, largest_magnitude(axis_values(section.x, columns)));
+  const y_unit = choose_unit(section.y.unit, largest_magnitude(axis_values(section.y, section.values.length)));
+  return { x: write_axis_title(section.x.label, x_unit.unit), y: write_axis_title(section.y.label, y_unit.unit) };
+}
+
 /** Draws `values[row][column]`, rows along y and columns along x. */
-export function draw_heatmap(section: HeatmapSection, palette: Palette): SVGSVGElement {
+export function draw_heatmap(section: HeatmapSection, palette: Palette, size: FigureSize): SVGSVGElement {
   const columns = section.values[0]?.length ?? 0;
   const xs = axis_values(section.x, columns);
   const ys = axis_values(section.y, section.values.length);
@@ -74,10 +83,11 @@ export function draw_heatmap(section: HeatmapSection, palette: Palette): SVGSVGE
   const x_borders = borders_of(xs).map((value) => value * x_unit.factor);
   const y_borders = borders_of(ys).map((value) => value * y_unit.factor);
   const range = range_of(section.values);
+  const titles = heatmap_titles(section);
   const frame = make_frame({
-    x: { title: write_axis_title(section.x.label, x_unit.unit), min: x_borders[0]!, max: x_borders.at(-1)!, scale: "linear" },
-    y: { title: write_axis_title(section.y.label, y_unit.unit), min: y_borders[0]!, max: y_borders.at(-1)!, scale: "linear" },
-    palette, description: section.title, right: 118, grid: "none",
+    x: { title: titles.x, min: x_borders[0]!, max: x_borders.at(-1)!, scale: "linear" },
+    y: { title: titles.y, min: y_borders[0]!, max: y_borders.at(-1)!, scale: "linear" },
+    palette, size, description: section.title, right: 26 + 6.6 * size.font, grid: "none",
   });
   section.values.forEach((row, j) => row.forEach((value, i) => {
     if (!is_number(value)) return;
@@ -93,6 +103,6 @@ export function draw_heatmap(section: HeatmapSection, palette: Palette): SVGSVGE
       fill: css_colour(sample_map("viridis", fraction)), "data-value": value,
     }, make_svg("title", {}, label)));
   }));
-  draw_bar(frame, section, range, palette);
+  draw_bar(frame, section, range, { palette, font: size.font });
   return frame.svg;
 }

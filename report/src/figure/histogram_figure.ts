@@ -6,6 +6,7 @@ import { css_colour, type Palette, sample_map } from "../palette";
 import type { HistogramSection } from "../document";
 import { type Frame, make_frame } from "./frame";
 import { draw_legend, type LegendEntry, measure_legend } from "./legend";
+import type { FigureSize } from "./size";
 import { pad_range } from "./ticks";
 
 /** Colours times along a map from early to late; a lone time has the first series colour. */
@@ -44,11 +45,20 @@ function draw_bars(frame: Frame, section: HistogramSection, chosen: number, colo
   }));
 }
 
+/** Titles the axes in the units of the figure. */
+export function histogram_titles(section: HistogramSection): { x: string; y: string } {
+  return {
+    x: write_axis_title(section.x.label, choose_unit(section.x.unit, largest_magnitude(section.edges)).unit),
+    y: write_axis_title(section.y.label, choose_unit(section.y.unit, 0).unit),
+  };
+}
+
 /** Draws the chosen frames of a histogram, and its reference as a dashed outline. */
-export function draw_histogram(section: HistogramSection, chosen: number[], palette: Palette, legend: boolean): SVGSVGElement {
+export function draw_histogram(section: HistogramSection, chosen: number[], palette: Palette, size: FigureSize): SVGSVGElement {
   const { frames, reference, edges } = section;
   const x_unit = choose_unit(section.x.unit, largest_magnitude(edges));
-  const y_unit = choose_unit(section.y.unit, 0);
+  const titles = histogram_titles(section);
+  const legend = size.titles === "drawn";
   const scaled = edges.map((edge) => edge * x_unit.factor);
   // All frames share the height, so that times can be compared by switching.
   const every = [...frames.flatMap((frame) => frame.values), ...(reference?.values ?? [])];
@@ -57,14 +67,13 @@ export function draw_histogram(section: HistogramSection, chosen: number[], pale
   }));
   if (reference) entries.push({ label: reference.label, colour: palette.ink, mark: "dashed" });
   const frame = make_frame({
-    x: { title: write_axis_title(section.x.label, x_unit.unit), min: scaled[0]!, max: scaled.at(-1)!, scale: "linear" },
+    x: { title: titles.x, min: scaled[0]!, max: scaled.at(-1)!, scale: "linear" },
     y: {
-      title: write_axis_title(section.y.label, y_unit.unit),
-      min: 0, max: pad_range(0, largest_magnitude(every), "linear")[1], scale: "linear",
+      title: titles.y, min: 0, max: pad_range(0, largest_magnitude(every), "linear")[1], scale: "linear",
     },
-    palette,
+    palette, size,
     description: `${section.title}: histogram of ${section.x.label} at ${chosen.map((index) => frames[index]!.label).join(", ")}`,
-    top: legend ? measure_legend(entries) : 0,
+    top: legend ? measure_legend(entries, size) : 0,
   });
   for (const index of chosen) draw_bars(frame, section, index, frame_colour(index, frames.length, palette), scaled);
   if (reference) {
@@ -73,6 +82,6 @@ export function draw_histogram(section: HistogramSection, chosen: number[], pale
       stroke: palette.ink, "stroke-width": 1.6, "stroke-dasharray": "6 4",
     }));
   }
-  if (legend) draw_legend(frame.svg, entries, palette);
+  if (legend) draw_legend(frame.svg, entries, palette, size);
   return frame.svg;
 }

@@ -2,7 +2,8 @@
 import { make_svg } from "../dom";
 import { split_label } from "../format";
 import type { Palette } from "../palette";
-import { figure_width, make_svg_text } from "./frame";
+import { make_svg_text } from "./frame";
+import type { FigureSize } from "./size";
 
 export interface LegendEntry {
   label: string;
@@ -10,20 +11,21 @@ export interface LegendEntry {
   mark: "line" | "dashed" | "points" | "box";
 }
 
-const row_height = 22;
+const row_height = 1.7; // over the size of the type
 
-function estimate_width(label: string): number {
-  return 44 + 7.2 * split_label(label).reduce((sum, part) => sum + part.text.length, 0);
+function estimate_width(label: string, font: number): number {
+  return 44 + 0.56 * font * split_label(label).reduce((sum, part) => sum + part.text.length, 0);
 }
 
-function place(entries: LegendEntry[]): { x: number; y: number }[] {
-  let x = 78;
-  let y = 18;
+function place(entries: LegendEntry[], size: FigureSize): { x: number; y: number }[] {
+  const { left } = size.room;
+  let x = left;
+  let y = 1.4 * size.font;
   return entries.map(({ label }) => {
-    const width = estimate_width(label);
-    if (x > 78 && x + width > figure_width) {
-      x = 78;
-      y += row_height;
+    const width = estimate_width(label, size.font);
+    if (x > left && x + width > size.width) {
+      x = left;
+      y += row_height * size.font;
     }
     const at = { x, y };
     x += width;
@@ -32,9 +34,9 @@ function place(entries: LegendEntry[]): { x: number; y: number }[] {
 }
 
 /** Gives the height that a legend takes. */
-export function measure_legend(entries: LegendEntry[]): number {
+export function measure_legend(entries: LegendEntry[], size: FigureSize): number {
   if (entries.length === 0) return 0;
-  return Math.max(...place(entries).map(({ y }) => y)) + 4;
+  return Math.max(...place(entries, size).map(({ y }) => y)) + 4;
 }
 
 function draw_mark(entry: LegendEntry, x: number, y: number): SVGElement {
@@ -47,11 +49,11 @@ function draw_mark(entry: LegendEntry, x: number, y: number): SVGElement {
   });
 }
 
-export function draw_legend(svg: SVGSVGElement, entries: LegendEntry[], palette: Palette): void {
-  const places = place(entries);
+export function draw_legend(svg: SVGSVGElement, entries: LegendEntry[], palette: Palette, size: FigureSize): void {
+  const places = place(entries, size);
   entries.forEach((entry, k) => {
     const { x, y } = places[k]!;
     svg.append(draw_mark(entry, x, y - 4));
-    svg.append(make_svg_text(entry.label, { x: x + 28, y, "font-size": 13, fill: palette.ink }));
+    svg.append(make_svg_text(entry.label, { x: x + 28, y, "font-size": size.font, fill: palette.ink }));
   });
 }

@@ -5,8 +5,9 @@ import type { Scale, Value } from "../document";
 import { make_svg } from "../dom";
 import { write_axis_title } from "../format";
 import type { Palette } from "../palette";
-import { figure_width, type Frame, make_frame, room } from "./frame";
+import { type Frame, make_frame } from "./frame";
 import { draw_legend, measure_legend } from "./legend";
+import { type FigureSize, picture_size } from "./size";
 
 export interface View {
   x_scale: Scale;
@@ -48,29 +49,26 @@ function draw_curve(frame: Frame, curve: Curve, view: View, colour: string, widt
   }));
 }
 
-const picture_height = 600; // of curves with one scale for both axes
-
 /** Draws the visible curves as the reader has zoomed and scaled them. */
-export function draw_lines(title: string, made: Curves, view: View, palette: Palette): SVGSVGElement {
+export function draw_lines(title: string, made: Curves, view: View, palette: Palette, asked: FigureSize): SVGSVGElement {
+  const size = made.equal ? picture_size(asked) : asked;
   const shown = made.curves.filter((curve) => curve.visible);
-  let x_range = view.x_range ?? range_of_x(made.curves, view.x_scale);
+  let x_range = view.x_range ?? range_of_x(made, view.x_scale);
   let y_range = range_of_y(shown, view.y_scale, ...x_range);
   const colour_of = (curve: Curve): string => palette.series[curve.colour % palette.series.length]!;
   const entries = shown.map((curve) => ({ label: curve.label, colour: colour_of(curve), mark: curve.style }));
-  const top = measure_legend(entries);
+  const top = measure_legend(entries, size);
   if (made.equal) {
-    const plot_width = figure_width - room.left - room.right;
-    ({ x: x_range, y: y_range } = make_equal(x_range, y_range, plot_width / (picture_height - top - room.top - room.bottom)));
+    const { width, height, room } = size;
+    ({ x: x_range, y: y_range } = make_equal(x_range, y_range, (width - room.left - room.right) / (height - top - room.top - room.bottom)));
   }
   const frame = make_frame({
-    x: { title: write_axis_title(made.x_label, made.x_unit.unit), min: x_range[0], max: x_range[1], scale: view.x_scale },
+    x: { title: write_axis_title(made.x_label, made.x_unit.unit), min: x_range[0], max: x_range[1], scale: view.x_scale, names: made.x_names },
     y: { title: write_axis_title(made.y_label, made.y_unit.unit), min: y_range[0], max: y_range[1], scale: view.y_scale },
-    palette,
+    palette, size, top,
     description: `${title}: ${made.y_label} against ${made.x_label}`,
-    top,
-    height: made.equal ? picture_height : undefined,
   });
   for (const curve of shown) draw_curve(frame, curve, view, colour_of(curve), made.equal ? 1.2 : 2);
-  draw_legend(frame.svg, entries, palette);
+  draw_legend(frame.svg, entries, palette, size);
   return frame.svg;
 }

@@ -34,6 +34,12 @@ export function make_ticks(min: number, max: number, scale: Scale, count: number
   return scale === "log" ? log_ticks(min, max) : linear_ticks(min, max, count);
 }
 
+/** Gives the ticks of a colour bar: both ends, and round values that keep away from them. */
+export function bar_ticks(min: number, max: number): number[] {
+  const away = 0.09 * (max - min);
+  return [min, ...linear_ticks(min, max, 4).filter((tick) => tick > min + away && tick < max - away), max];
+}
+
 const round_off = 1e-9;
 
 /** Widens a range to where it reads well: room at both ends, and from zero where zero is near. */

@@ -1,8 +1,8 @@
 // The colour bar beside the view.
 import { make, make_svg } from "../dom";
 import { choose_unit, write_axis_title, write_number } from "../format";
-import { linear_ticks } from "../figure/ticks";
-import { figure_font } from "../figure/frame";
+import { bar_ticks } from "../figure/ticks";
+import { figure_font } from "../font";
 import type { Palette } from "../palette";
 import { type ColourScale, table_size } from "./colouring";
 
@@ -16,12 +16,11 @@ function colour_of(scale: ColourScale, index: number): string {
 
 function draw_ticks(svg: SVGSVGElement, scale: ColourScale, palette: Palette): void {
   const unit = choose_unit(scale.unit, scale.max);
-  const step_count = scale.unit === "deg" ? 3 : 5;
-  const ticks = scale.unit === "deg" ? [0, 30, 60, 90] : linear_ticks(scale.min * unit.factor, scale.max * unit.factor, step_count);
+  const ticks = scale.unit === "deg" ? [0, 30, 60, 90] : bar_ticks(scale.min * unit.factor, scale.max * unit.factor);
   for (const tick of ticks) {
     const at = top + height - (height * (tick / unit.factor - scale.min)) / (scale.max - scale.min);
     svg.append(make_svg("line", { x1: 14, x2: 18, y1: at, y2: at, stroke: palette.muted }));
-    svg.append(make_svg("text", { x: 22, y: at + 4, "font-size": 12, fill: palette.muted }, write_number(tick)));
+    svg.append(make_svg("text", { x: 22, y: at + 4, "font-size": 12, fill: palette.muted }, write_number(tick, 3)));
   }
   if (scale.clipped) {
     const note = `up to the 99.5 % quantile`;

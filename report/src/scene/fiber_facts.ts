@@ -1,7 +1,7 @@
 // What is told about one fiber.
 import { make } from "../dom";
 import { write_quantity } from "../format";
-import type { MeasuredFrame } from "./colouring";
+import type { MeasuredFrame } from "./frame";
 
 /** Fills a box with number, length, birth fiber and sharpest bend of a fiber. */
 export function show_fiber(box: HTMLElement, measured: MeasuredFrame, fiber: number): void {

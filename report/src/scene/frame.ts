@@ -1,17 +1,22 @@
 // One state of the cell, decoded from the document and measured.
 import type { FiberFrame } from "../document";
+import { make_upright, type Three } from "./lattice";
 
 export interface CellFrame {
   time_s: number;
-  /** Row-major; columns are the lattice vectors [m]. */
+  /** Row-major; columns are the lattice vectors [m], the first along x, the second in the plane of x and y. */
   lattice: number[];
-  origin: [number, number, number];
+  origin: Three;
   periodic: boolean[];
+  /** Shear strain since the start, where the document tells it. */
+  strain?: number;
   /** Node offsets, fibers + 1. */
   offsets: Int32Array;
   /** Nodes, xyz [m]. */
   points: Float32Array;
   birth: Int32Array;
+  /** Number of each fiber's first node along the fiber that it was born with, where the document tells it. */
+  birth_node?: Int32Array;
   radius: Float32Array;
   fibers: number;
   rods: number;
@@ -27,6 +32,11 @@ export interface Measures {
   sharpest: Float32Array;
 }
 
+export interface MeasuredFrame {
+  frame: CellFrame;
+  measures: Measures;
+}
+
 export function decode_base64(text: string): ArrayBuffer {
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
@@ -34,27 +44,37 @@ export function decode_base64(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
+/** Decodes nodes: as they are, or as steps of a grid from a corner. */
+function decode_points(frame: FiberFrame): Float32Array {
+  if (frame.points !== undefined) return new Float32Array(decode_base64(frame.points));
+  const { steps, corner, step } = frame.grid!;
+  const whole = new Uint16Array(decode_base64(steps));
+  return Float32Array.from(whole, (value, k) => corner[k % 3]! + step[k % 3]! * value);
+}
+
 /** Decodes a frame; throws where its parts do not belong together. */
 export function decode_frame(frame: FiberFrame): CellFrame {
   const offsets = new Int32Array(decode_base64(frame.offsets));
-  const points = new Float32Array(decode_base64(frame.points));
+  const points = decode_points(frame);
   const birth = new Int32Array(decode_base64(frame.birth));
+  const birth_node = frame.birth_node === undefined ? undefined : new Int32Array(decode_base64(frame.birth_node));
   const radius = new Float32Array(decode_base64(frame.radius));
   const fibers = Math.max(0, offsets.length - 1);
   const nodes = offsets[fibers] ?? 0;
-  if (points.length !== 3 * nodes || birth.length !== fibers || radius.length !== fibers) {
+  const whole = points.length === 3 * nodes && birth.length === fibers && radius.length === fibers;
+  if (!whole || (birth_node && birth_node.length !== fibers)) {
     throw new Error(`the frame at ${frame.time_s} s has ${fibers} fibers and ${nodes} nodes, but ${points.length / 3} points, ${birth.length} birth ids, ${radius.length} radii`);
   }
   return {
     time_s: frame.time_s,
-    lattice: frame.lattice,
+    lattice: make_upright(frame.lattice),
     origin: [frame.origin?.[0] ?? 0, frame.origin?.[1] ?? 0, frame.origin?.[2] ?? 0],
     periodic: frame.periodic ?? [true, true, true],
-    offsets, points, birth, radius, fibers,
+    strain: frame.strain,
+    offsets, points, birth, birth_node, radius, fibers,
     rods: nodes - fibers,
   };
 }
-
 function distance(points: Float32Array, a: number, b: number): number {
   return Math.hypot(points[3 * b]! - points[3 * a]!, points[3 * b + 1]! - points[3 * a + 1]!, points[3 * b + 2]! - points[3 * a + 2]!);
 }

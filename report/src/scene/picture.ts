@@ -1,5 +1,6 @@
 // The view as a picture for a paper: pixels of the scene with the colour bar beside them.
 import { light_palette } from "../palette";
+import { draw_svg } from "../save";
 import type { ColourScale } from "./colouring";
 import { make_colour_bar } from "./colour_bar";
 
@@ -17,9 +18,7 @@ export async function compose_picture(scene: HTMLCanvasElement, scale: ColourSca
   pen.drawImage(scene, 0, 0);
   const bar = make_colour_bar(scale, light_palette);
   const svg = bar.querySelector("svg")!;
-  const image = new Image();
-  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(new XMLSerializer().serializeToString(svg))}`;
-  await image.decode();
+  const image = await draw_svg(svg);
   const { width, height } = svg.viewBox.baseVal;
   const top = (picture.height - height * zoom) / 2;
   pen.drawImage(image, width_of_scene + 10 * zoom, top, width * zoom, height * zoom);

@@ -1,11 +1,12 @@
 // All rods as one instanced draw: a capsule that the vertex shader stretches between its two nodes.
 import {
-  BufferAttribute, DataTexture, DynamicDrawUsage, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry,
+  BufferAttribute, DataTexture, DoubleSide, DynamicDrawUsage, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry,
   LinearFilter, Mesh, NearestFilter, RGBAFormat, ShaderMaterial, Color,
 } from "three";
 import { type ColourScale, table_size } from "./colouring";
 import type { CellFrame } from "./frame";
 import type { PlacedRods } from "./images";
+import type { Three } from "./lattice";
 
 const vertex_shader = /* glsl */ `
 in vec4 shape;  // direction from the axis, and which end: 0 start, 1 finish
@@ -19,6 +20,7 @@ uniform float hovered;
 uniform float family;
 out vec3 normal_view;
 out vec3 position_view;
+out vec3 position_scene;
 out float table_place;
 out float emphasis;
 void main() {
@@ -27,6 +29,7 @@ void main() {
   vec3 normal = mat3(aside, cross(along, aside), along) * shape.xyz;
   vec3 at = mix(start, finish, shape.w) + radius * thickness * normal;
   vec4 in_view = modelViewMatrix * vec4(at, 1.0);
+  position_scene = at;
   normal_view = normalMatrix * normal;
   position_view = in_view.xyz;
   table_place = mix(place.x, place.y, shape.w);
@@ -40,14 +43,19 @@ void main() {
 const fragment_shader = /* glsl */ `
 in vec3 normal_view;
 in vec3 position_view;
+in vec3 position_scene;
 in float table_place;
 in float emphasis;
 uniform sampler2D table;
+uniform vec3 low;   // corners of the window; what lies outside is cut off
+uniform vec3 high;
 uniform vec3 background;
 uniform vec2 haze;  // distances where it begins and where it is full
 out vec4 colour;
 void main() {
-  vec3 n = normalize(normal_view);
+  if (any(lessThan(position_scene, low)) || any(greaterThan(position_scene, high))) discard;
+  // Where a rod is cut the eye looks at its inside, which is drawn as the flat face of the cut.
+  vec3 n = gl_FrontFacing ? normalize(normal_view) : vec3(0.0, 0.0, 1.0);
   vec3 to_eye = normalize(-position_view);
   float facing = max(dot(n, to_eye), 0.0);
   float light = 0.56 + 0.5 * max(dot(n, normalize(vec3(-0.35, 0.65, 0.7))), 0.0);
@@ -91,16 +99,23 @@ export interface RodMesh {
   colour: (places: Float32Array, scale: ColourScale) => void;
   emphasize: (fiber: number | undefined, family: number | undefined) => void;
   set_thickness: (times: number) => void;
+  /** Cuts off what lies outside two corners, in scene units; nothing without them. */
+  set_window: (low: Three | undefined, high: Three | undefined) => void;
   set_surroundings: (background: string, haze: [number, number]) => void;
   dispose: () => void;
 }
+
+/** Farther than anything of a scene. */
+const nowhere: Three = [1e6, 1e6, 1e6];
 
 function make_material(): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: vertex_shader,
     fragmentShader: fragment_shader,
+    side: DoubleSide,
     uniforms: {
+      low: { value: nowhere.map((value) => -value) }, high: { value: [...nowhere] },
       thickness: { value: 1 }, hovered: { value: -1 }, family: { value: -1 },
       table: { value: null }, background: { value: [1, 1, 1] }, haze: { value: [1, 2] },
     },
@@ -124,23 +139,28 @@ export function make_rod_mesh(capacity: number): RodMesh {
   mesh.frustumCulled = false;
   const put = (name: string, values: Float32Array, size: number): void => {
     const kept = geometry.getAttribute(name) as InstancedBufferAttribute | undefined;
-    if (kept) {
+    if (kept && kept.array.length >= values.length) {
       kept.array.set(values);
       kept.needsUpdate = true;
       return;
     }
-    const array = new Float32Array(size * capacity);
+    // A window shows some rods twice, as many as stick out of it: their number changes with time.
+    const array = new Float32Array(Math.max(size * capacity, Math.ceil(1.3 * values.length)));
     array.set(values);
     geometry.setAttribute(name, new InstancedBufferAttribute(array, size).setUsage(DynamicDrawUsage));
   };
   return {
     mesh,
     place: (placed, frame, factor) => {
-      put("start", scaled(placed.starts, factor), 3);
-      put("finish", scaled(placed.ends, factor), 3);
-      put("radius", Float32Array.from(placed.fiber, (fiber) => frame.radius[fiber]! * factor), 1);
+      const fibers = placed.fiber.subarray(0, placed.count);
+      put("start", scaled(placed.starts.subarray(0, 3 * placed.count), factor), 3);
+      put("finish", scaled(placed.ends.subarray(0, 3 * placed.count), factor), 3);
+      put("radius", Float32Array.from(fibers, (fiber) => frame.radius[fiber]! * factor), 1);
       const ids = new Float32Array(2 * placed.count);
-      placed.fiber.forEach((fiber, rod) => ids.set([fiber, frame.birth[fiber]!], 2 * rod));
+      for (let k = 0; k < placed.count; ++k) {
+        ids[2 * k] = fibers[k]!;
+        ids[2 * k + 1] = frame.birth[fibers[k]!]!;
+      }
       put("ids", ids, 2);
       geometry.instanceCount = placed.count;
     },
@@ -157,6 +177,10 @@ export function make_rod_mesh(capacity: number): RodMesh {
     emphasize: (fiber, family) => {
       uniforms.hovered!.value = fiber ?? -1;
       uniforms.family!.value = family ?? -1;
+    },
+    set_window: (low, high) => {
+      uniforms.low!.value = low ?? nowhere.map((value) => -value);
+      uniforms.high!.value = high ?? nowhere;
     },
     set_thickness: (times) => { uniforms.thickness!.value = times; },
     set_surroundings: (background, haze) => {

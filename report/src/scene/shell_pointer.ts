@@ -44,7 +44,19 @@ export interface ShellPointer {
   refresh: () => void;
 }
 
-export function follow_shell_pointer(host: HTMLElement, stage: Stage, mesh: Mesh, data: ShellData, time: () => number): ShellPointer {
+export interface ShellPointerRequest {
+  host: HTMLElement;
+  stage: Stage;
+  mesh: Mesh;
+  data: ShellData;
+  time: () => number;
+  /** Called with the node that was clicked and its place. */
+  chose?: (node: number, place: string) => void;
+}
+
+const click_slack_in_pixels = 4;
+
+export function follow_shell_pointer({ host, stage, mesh, data, time, chose }: ShellPointerRequest): ShellPointer {
   const box = make("div", { class: "fiber-facts", role: "status", hidden: true });
   host.append(box);
   let hovered: number | undefined;
@@ -61,6 +73,13 @@ export function follow_shell_pointer(host: HTMLElement, stage: Stage, mesh: Mesh
   stage.canvas.addEventListener("pointerleave", () => {
     hovered = undefined;
     refresh();
+  });
+  let pressed_at = { x: 0, y: 0 };
+  stage.canvas.addEventListener("pointerdown", ({ clientX: x, clientY: y }) => { pressed_at = { x, y }; });
+  stage.canvas.addEventListener("pointerup", (event) => {
+    if (Math.hypot(event.clientX - pressed_at.x, event.clientY - pressed_at.y) > click_slack_in_pixels) return;
+    const node = find_node(event, stage, mesh, data);
+    if (node !== undefined) chose?.(node, write_place(data, node));
   });
   return { refresh };
 }

@@ -1,9 +1,9 @@
-// The view of the cell: rods and outline on a stage.
+// The view of the cell: rods, window and marks on a stage.
 import { Vector3 } from "three";
 import { current_palette } from "../palette";
 import { type CellOutline, corner_of, make_cell_outline } from "./cell_outline";
 import type { CellFrame } from "./frame";
-import { has_cell } from "./images";
+import { has_cell, type Three } from "./lattice";
 import { make_rod_mesh, type RodMesh } from "./rods";
 import { make_stage, type Stage } from "./stage";
 
@@ -13,32 +13,39 @@ export interface View extends Stage {
   adapt_to_scheme: () => void;
 }
 
-/** The ball around the cell, or around the fibers where there is no cell [m]. */
-function measure_extent(frame: CellFrame): { middle: Vector3; radius: number } {
-  const corners: Vector3[] = [];
-  if (has_cell(frame)) {
-    for (let k = 0; k < 8; ++k) corners.push(new Vector3(...corner_of(frame, [k & 1, (k >> 1) & 1, k >> 2])));
-  } else {
-    for (let k = 0; k < frame.points.length; k += 3) corners.push(new Vector3().fromArray(frame.points, k));
+/** The corners of the cell, or of the box around the fibers where there is no cell [m]. */
+function corners_of(frame: CellFrame): Vector3[] {
+  const corners: Three[] = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => [k & 1, (k >> 1) & 1, k >> 2]);
+  if (has_cell(frame)) return corners.map((fractions) => new Vector3(...corner_of(frame, fractions)));
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = new Vector3(-Infinity, -Infinity, -Infinity);
+  for (let k = 0; k < frame.points.length; k += 3) {
+    const at = new Vector3().fromArray(frame.points, k);
+    low.min(at);
+    high.max(at);
   }
-  const middle = new Vector3();
-  for (const corner of corners) middle.addScaledVector(corner, 1 / corners.length);
-  const radius = Math.max(1e-9, ...corners.map((corner) => corner.distanceTo(middle)));
-  return { middle, radius };
+  return corners.map((share) => new Vector3(...share).multiply(high.clone().sub(low)).add(low));
+}
+
+export interface ViewRequest {
+  /** Rods for which there is room at first. */
+  capacity: number;
+  /** Called after every drawing. */
+  finish: (stage: Stage) => void;
 }
 
 /** Makes the view in its host; throws where the browser has no WebGL. */
-export function make_view(host: HTMLElement, first: CellFrame, capacity: number): View {
+export function make_view(host: HTMLElement, first: CellFrame, { capacity, finish }: ViewRequest): View {
   const rods = make_rod_mesh(capacity);
   const outline = make_cell_outline();
-  outline.lines.visible = has_cell(first);
   const stage = make_stage(host, {
-    ...measure_extent(first),
+    corners: corners_of(first),
     from: new Vector3(0.42, 0.36, 1),
     crowded: capacity > 4_000,
     prepare: (palette, away) => rods.set_surroundings(palette.surface, [away - 0.6, away + 1.3]),
+    finish,
   });
-  stage.scene.add(rods.mesh, outline.lines);
+  stage.scene.add(rods.mesh, outline.group);
   const adapt_to_scheme = (): void => {
     outline.set_colour(current_palette().muted);
     stage.redraw();

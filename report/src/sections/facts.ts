@@ -27,12 +27,16 @@ function make_value(fact: Fact): Node {
   return document.createTextNode(write_quantity(fact.value, fact.unit));
 }
 
+/** Letters of a text that find room beside other facts. */
+const longest_beside = 48;
+
 function make_row(section: string, fact: Fact): HTMLElement {
   const raw = Array.isArray(fact.value) ? JSON.stringify(fact.value) : (fact.value ?? "");
   const data = { "data-section": section, "data-label": fact.label, "data-value": raw };
   const value = make("dd", data, make_value(fact));
   if (fact.note) value.append(make("small", {}, make_label(fact.note)));
-  return make("div", {}, make("dt", {}, make_label(fact.label)), value);
+  const long = typeof fact.value === "string" && fact.value.length > longest_beside;
+  return make("div", { class: long ? "long" : undefined }, make("dt", {}, make_label(fact.label)), value);
 }
 
 export function render_facts(section: FactsSection): HTMLElement {

@@ -1,69 +1,136 @@
 // The section "fibers": the cell in three dimensions over time.
-import type { FibersSection } from "../document";
+import type { FiberFrame, FibersSection } from "../document";
 import { make, make_button, make_choice, make_toggle } from "../dom";
 import { current_palette, watch_scheme } from "../palette";
+import { write_quantity } from "../format";
+import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
+import { type Animated, make_animation_buttons } from "../scene/animation";
+import { type BreakMarks, make_break_marks } from "../scene/break_marks";
+import { BreakTimes, decode_breaks, see_breaks } from "../scene/breaks";
+import { type CellState, middle_of_rods } from "../scene/cell_state";
 import { make_colour_bar } from "../scene/colour_bar";
-import { colour_rods, type Colouring, colourings, type ColourScale, make_scale, type MeasuredFrame } from "../scene/colouring";
-import { decode_frame, measure_frame } from "../scene/frame";
-import { has_cell, type Images, type PlacedRods, place_rods } from "../scene/images";
-import { follow_pointer } from "../scene/pointer";
+import { colour_rods, type Colouring, colourings_of, type ColourScale, make_scale } from "../scene/colouring";
+import { FrameStore } from "../scene/frame_store";
+import { type Images, type PlacedRods, place_rods } from "../scene/images";
+import { centre_window, type CellWindow, type Three, window_of } from "../scene/lattice";
+import { first_rod, rods_of } from "../scene/pairing";
 import { compose_picture } from "../scene/picture";
-import { make_player } from "../scene/player";
+import { make_player, position_of } from "../scene/player";
+import { follow_pointer, piece_with, type Pointer } from "../scene/pointer";
+import { make_side_panel, type SidePanel } from "../scene/side_panel";
 import { make_view, type View } from "../scene/view";
 import { make_section } from "./parts";
+import { make_save_menu } from "./save_buttons";
+
+const seconds_to_play = 12;
+const remembered_breaks = 0.04; // of the whole time: how long the ring of a break stays
 
 /** What is shown now; the functions below bring the view into agreement with it. */
 interface Shown {
   section: FibersSection;
-  frames: MeasuredFrame[];
-  index: number;
+  store: FrameStore;
+  breaks: BreakTimes;
+  position: number;
+  state: CellState;
   images: Images;
+  follow: boolean;
   colouring: Colouring;
   scale: ColourScale;
   placed: PlacedRods;
   view: View;
+  marks: BreakMarks;
+  side: SidePanel;
+  pointer?: Pointer;
+  /** Moves the slider and everything with it. */
+  go: (position: number) => void;
   stage: HTMLElement;
   bar: HTMLElement;
 }
 
 function show_colours(shown: Shown): void {
-  const { view, stage, colouring, scale, placed } = shown;
-  view.rods.colour(colour_rods(colouring, scale, shown.frames[shown.index]!, placed), scale);
-  shown.bar.replaceChildren(make_colour_bar(scale, current_palette()));
-  stage.dataset.colouring = colouring;
+  const { view, state, placed, scale } = shown;
+  view.rods.colour(colour_rods(shown, state, placed), scale);
+  shown.stage.dataset.colouring = shown.colouring;
   view.redraw();
 }
 
-function show_frame(shown: Shown): void {
-  const { frame } = shown.frames[shown.index]!;
-  const { view, stage } = shown;
-  shown.placed = place_rods(frame, shown.images);
-  view.rods.place(shown.placed, frame, view.factor);
-  if (has_cell(frame)) view.outline.place(frame, view.factor);
-  Object.assign(stage.dataset, {
-    section: shown.section.id, frame: shown.index, time: frame.time_s, images: shown.images,
-    fibers: frame.fibers, rods: frame.rods, drawnRods: shown.placed.count,
-  });
+function choose_colours(shown: Shown, colouring: Colouring): void {
+  shown.colouring = colouring;
+  shown.scale = make_scale(colouring, shown.store.samples(), shown.store.duration());
+  shown.bar.replaceChildren(make_colour_bar(shown.scale, current_palette()));
   show_colours(shown);
 }
 
+/** Gives the middle of the chosen rod, which goes on evenly when its fiber breaks; of its fiber where rods have no number. */
+function middle_of_chosen({ state, pointer }: Shown): Three | undefined {
+  const chosen = pointer?.chosen();
+  const fiber = chosen && piece_with(state, chosen);
+  if (!chosen || fiber === undefined) return undefined;
+  const first = first_rod(state.frame, fiber);
+  const start = state.frame.birth_node?.[fiber];
+  if (start !== undefined && chosen.number !== undefined) return middle_of_rods(state.starts, state.ends, [first + chosen.number - start]);
+  return middle_of_rods(state.starts, state.ends, Array.from({ length: rods_of(state.frame, fiber) }, (_unused, k) => first + k));
+}
+
+/** Cuts at the window where the reader wants the cell; walls let nothing through, and what touches them stays whole. */
+function cut_at(shown: Shown, window: CellWindow | undefined): void {
+  const { view, state, images } = shown;
+  const inside = images === "window" ? window : undefined;
+  const end = (side: 0 | 1): Three | undefined => inside?.size.map((size, k) =>
+    state.periodic[k] ? (state.origin[k]! + side * size) * view.factor : (2 * side - 1) * 1e6) as Three | undefined;
+  view.rods.set_window(end(0), end(1));
+}
+
+function tell(shown: Shown, middle: Three | undefined, breaks: number): void {
+  const { state, stage } = shown;
+  Object.assign(stage.dataset, {
+    section: shown.section.id, frame: shown.position, time: state.time_s, images: shown.images, fibers: state.frame.fibers,
+    rods: state.frame.rods, drawnRods: shown.placed.count, breaks, lattice: state.lattice.join(" "),
+  });
+  if (middle) stage.dataset.chosen = middle.join(" ");
+  else delete stage.dataset.chosen;
+}
+
+function show_state(shown: Shown): void {
+  const { view, state } = shown;
+  const middle = middle_of_chosen(shown);
+  const home = window_of(state);
+  const window = home && middle && shown.follow ? centre_window(state, home, middle) : home;
+  shown.placed = place_rods(state, shown.images, window);
+  cut_at(shown, window);
+  view.rods.place(shown.placed, state.frame, view.factor);
+  view.outline.place(state, view.factor, window?.shift ?? [0, 0, 0]);
+  const breaks = shown.marks.place(state, shown.images === "window" ? window : undefined, view.factor);
+  shown.side.show(state);
+  tell(shown, middle, breaks);
+  show_colours(shown);
+}
+
+function go_to(shown: Shown, position: number): void {
+  const before = shown.state.frame;
+  shown.position = position;
+  shown.state = shown.store.at(position);
+  if (shown.state.frame !== before) shown.pointer?.frame_changed();
+  show_state(shown);
+}
+
 function save_frame(shown: Shown): void {
-  const { frame, measures } = shown.frames[shown.index]!;
+  const { frame, measures } = shown.state;
   const fibers = Array.from({ length: frame.fibers }, (_unused, fiber) => fiber);
   save_csv(`${shown.section.id}-${frame.time_s}s`, [
     { header: "fiber", values: fibers },
     { header: "birth fiber", values: [...frame.birth] },
-    { header: "rods", values: fibers.map((fiber) => frame.offsets[fiber + 1]! - frame.offsets[fiber]! - 1) },
+    { header: "rods", values: fibers.map((fiber) => rods_of(frame, fiber)) },
     { header: "length [m]", values: [...measures.length] },
     { header: "largest curvature [1/m]", values: [...measures.sharpest] },
   ]);
 }
 
 function save_picture(shown: Shown): void {
-  const { time_s } = shown.frames[shown.index]!.frame;
+  const name = `${shown.section.id}-${Number(shown.state.time_s.toPrecision(5))}s`;
   shown.view.snapshot(2, (canvas) => {
-    void compose_picture(canvas, shown.scale).then((picture) => save_canvas(`${shown.section.id}-${time_s}s`, picture));
+    void compose_picture(canvas, shown.scale).then((picture) => save_canvas(name, picture));
   });
 }
 
@@ -76,73 +143,104 @@ function make_thickness(shown: Shown): HTMLElement {
   return make("label", { class: "choice", title: "Draw fibers thicker than they are" }, make("span", {}, "Thickness"), slider);
 }
 
+function animated(shown: Shown): Animated {
+  const { store } = shown;
+  const show = (share: number): string => {
+    const time = store.times[0]! + share * store.duration();
+    shown.go(position_of(store.times, time));
+    return `t = ${write_quantity(time, "s")}`;
+  };
+  return { name: shown.section.id, stage: shown.view, scale: () => shown.scale, show };
+}
+
 function add_controls(controls: HTMLElement, shown: Shown): void {
   const image_options = [
-    { value: "rods", text: "rods in the cell" }, { value: "fibers", text: "whole fibers" }, { value: "computed", text: "as computed" },
+    { value: "window", text: "cut at the cell" }, { value: "fibers", text: "whole fibers" }, { value: "computed", text: "as computed" },
   ];
   controls.append(
-    make_choice("Colour", colourings, shown.colouring, (value) => {
-      shown.colouring = value as Colouring;
-      shown.scale = make_scale(shown.colouring, shown.frames);
-      show_colours(shown);
-    }),
+    make_choice("Colour", colourings_of(shown.breaks), shown.colouring, (value) => choose_colours(shown, value as Colouring)),
     make_choice("Images", image_options, shown.images, (value) => {
       shown.images = value as Images;
-      show_frame(shown);
+      show_state(shown);
     }),
     make_thickness(shown),
-    make_toggle("Cell", "Show the outline of the cell", true, (on) => {
-      shown.view.outline.lines.visible = on && has_cell(shown.frames[shown.index]!.frame);
+    make_toggle("Follow", "Keep the fiber that was clicked in the middle", false, (on) => {
+      shown.follow = on;
+      show_state(shown);
+    }),
+    make_toggle("Cell", "Show the cell, and lines that the melt carries along", true, (on) => {
+      shown.view.outline.group.visible = on;
       shown.view.redraw();
     }),
     make_button("Reset", "Put the camera back", () => shown.view.reset_camera()),
-    make_button("PNG", "Save the picture with its colour bar", () => save_picture(shown)),
-    make_button("CSV", "Save the fibers at this time as CSV", () => save_frame(shown)),
+    make_save_menu(
+      make_button("Picture as PNG", "The picture with its colour bar", () => save_picture(shown)),
+      make_button("Fibers as CSV", "The fibers of the frame at or after this time", () => save_frame(shown)),
+      ...(shown.store.times.length > 1 ? make_animation_buttons(animated(shown)) : []),
+    ),
   );
 }
 
-function start_view(section: FibersSection, frames: MeasuredFrame[], stage: HTMLElement, bar: HTMLElement): Shown | undefined {
-  const capacity = Math.max(...frames.map(({ frame }) => frame.rods));
+function start_view(section: FibersSection, store: FrameStore, stage: HTMLElement, bar: HTMLElement): Shown | undefined {
+  const first = store.frame(0);
   let view: View;
+  const longest = Math.max(...store.samples().flatMap(({ measures }) => measures.length.reduce((most, one) => Math.max(most, one), 0)), 1e-12);
+  const side = make_side_panel(longest);
   try {
-    view = make_view(stage, frames[0]!.frame, capacity);
+    view = make_view(stage, first.frame, { capacity: first.frame.rods, finish: side.turn });
   } catch {
     stage.dataset.webgl = "missing";
     stage.append(make("p", { class: "note" }, "The cell cannot be shown in 3D: this browser has WebGL turned off or has no graphics driver. All numbers of the report are complete without it."));
     return undefined;
   }
   stage.dataset.webgl = "working";
-  const colouring: Colouring = "length";
+  const breaks = new BreakTimes(section.breaks ? decode_breaks(section.breaks) : see_breaks(store.all()));
+  const marks = make_break_marks(breaks.breaks, remembered_breaks * store.duration() || 1);
+  view.scene.add(marks.points);
+  const colouring: Colouring = breaks.breaks.length > 0 || has_many_lengths(store) ? "length" : "angle_x";
+  const state = store.at(0);
   return {
-    section, frames, index: 0, images: "rods", colouring, scale: make_scale(colouring, frames),
-    placed: place_rods(frames[0]!.frame, "rods"), view, stage, bar,
+    section, store, breaks, position: 0, state, images: "window", follow: false, colouring,
+    scale: make_scale(colouring, store.samples(), store.duration()), placed: place_rods(state, "window", window_of(state)),
+    view, marks, side, stage, bar, go: () => {},
   };
+}
+
+/** Lengths tell nothing where all fibers are equally long. */
+function has_many_lengths(store: FrameStore): boolean {
+  return store.samples().some(({ measures: { length } }) => length.some((one) => Math.abs(one - length[0]!) > 1e-3 * length[0]!));
+}
+
+/** Says how the times between frames come about. */
+function explain_between(frames: FiberFrame[]): string {
+  return frames.length > 1 ? `${frames.length} frames; between them fibers ride with the shear, and turn and drift evenly on top of it.` : "";
 }
 
 export function render_fibers(section: FibersSection): HTMLElement {
   const { element, controls, figure } = make_section(section);
   if (section.frames.length === 0) throw new Error("it holds no frames");
-  const frames = section.frames.map((raw) => {
-    const frame = decode_frame(raw);
-    return { frame, measures: measure_frame(frame) };
-  });
-  const stage = make("div", { class: "stage", role: "img", "aria-label": `${section.title}: drag to turn, scroll to zoom, point at a fiber for its numbers` });
+  const store = new FrameStore(section.frames);
+  const stage = make("div", { class: "stage", role: "img", "aria-label": `${section.title}: drag to turn, click and scroll to zoom, point at a fiber for its numbers, click it to follow it` });
   const bar = make("div", { class: "bar" });
-  figure.append(make("div", { class: "scene" }, stage, bar));
-  const shown = start_view(section, frames, stage, bar);
+  const scene = make("div", { class: "scene" }, stage, bar);
+  figure.append(scene);
+  const shown = start_view(section, store, stage, bar);
   if (!shown) return element;
-  const player = make_player(frames.map(({ frame }) => frame.time_s), (index) => {
-    shown.index = index;
-    show_frame(shown);
-    pointer.frame_changed();
-  });
-  const pointer = follow_pointer(stage, shown.view, () => ({ measured: frames[shown.index]!, placed: shown.placed }));
+  scene.append(shown.side.element);
+  // The end is the most telling moment: all breaks are there, and the orientation has come about.
+  const last = section.frames.length - 1;
+  const player = make_player(store.times, (position) => go_to(shown, position), { seconds: seconds_to_play, start: last });
+  shown.go = player.go;
+  shown.pointer = follow_pointer(stage, shown.view, () => shown, () => show_state(shown));
   add_controls(controls, shown);
-  figure.append(player.element);
-  show_frame(shown);
+  figure.append(player.element, make("p", { class: "between" }, explain_between(section.frames)));
+  go_to(shown, last);
+  choose_colours(shown, shown.colouring);
+  add_print_view((palette) => bar.replaceChildren(make_colour_bar(shown.scale, palette)));
   watch_scheme(() => {
     shown.view.adapt_to_scheme();
-    show_colours(shown);
+    choose_colours(shown, shown.colouring);
+    shown.side.show(shown.state);
   });
   return element;
 }

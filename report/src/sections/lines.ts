@@ -3,13 +3,15 @@ import { make_curves, type Curves } from "../chart/curves";
 import { make_legend } from "../chart/legend";
 import { make_line_chart } from "../chart/line_chart";
 import { is_number, type LinesSection, type Scale } from "../document";
-import { make, make_button, make_label, make_toggle } from "../dom";
+import { make, make_button, make_toggle } from "../dom";
 import { draw_lines, type View } from "../figure/lines_figure";
+import { paper_size, print_size } from "../figure/size";
 import { write_axis_title } from "../format";
 import { current_palette, light_palette, watch_scheme } from "../palette";
 import { add_print_figure } from "../print";
 import type { Column } from "../save";
 import { make_section } from "./parts";
+import { make_plot } from "./plot";
 import { add_save_buttons } from "./save_buttons";
 
 /** Gives the numbers as they are in the document, in its units. */
@@ -30,10 +32,6 @@ function has_positive(made: Curves, axis: "x" | "y"): boolean {
   return made.curves.some((curve) => curve[axis].some((value) => is_number(value) && value > 0));
 }
 
-function make_axis_title(label: string, unit: string, side: "x" | "y"): HTMLElement {
-  return make("div", { class: `axis-title ${side}` }, make_label(write_axis_title(label, unit)));
-}
-
 export function render_lines(section: LinesSection): HTMLElement {
   const { element, controls, figure } = make_section(section);
   const made = make_curves(section);
@@ -43,18 +41,15 @@ export function render_lines(section: LinesSection): HTMLElement {
   };
   const legend = make_legend(section.id, made, () => chart().rebuild());
   const host = make("div", { class: "chart", role: "img", "aria-label": `${made.y_label} against ${made.x_label}` });
-  figure.append(
-    legend.element,
-    make_axis_title(made.y_label, made.y_unit.unit, "y"), host,
-    make_axis_title(made.x_label, made.x_unit.unit, "x"),
-  );
+  const titles = { x: write_axis_title(made.x_label, made.x_unit.unit), y: write_axis_title(made.y_label, made.y_unit.unit) };
+  figure.append(legend.element, make_plot(titles, host));
   let built: ReturnType<typeof make_line_chart> | undefined;
   const chart = (): ReturnType<typeof make_line_chart> => (built ??= make_line_chart({ host, made, scales, moved: legend.show }));
   const view = (): View => ({ x_scale: scales.x, y_scale: scales.y, x_range: chart().zoomed() });
-  const paper = (): SVGSVGElement => draw_lines(section.title, made, view(), light_palette);
+  const paper = (size = paper_size): SVGSVGElement => draw_lines(section.title, made, view(), light_palette, size);
 
   for (const axis of ["x", "y"] as const) {
-    if (made.equal || !has_positive(made, axis)) continue;
+    if (made.equal || (axis === "x" && made.x_names) || !has_positive(made, axis)) continue;
     controls.append(make_toggle(`log ${axis}`, `Logarithmic ${axis} axis`, scales[axis] === "log", (on) => {
       scales[axis] = on ? "log" : "linear";
       chart().reset_zoom();
@@ -69,8 +64,8 @@ export function render_lines(section: LinesSection): HTMLElement {
   };
   watch_scheme(recolour);
   recolour();
-  add_save_buttons(controls, section.id, paper, () => make_columns(section));
-  add_print_figure(figure, paper);
+  add_save_buttons(controls, { name: section.id, paper, columns: () => make_columns(section) });
+  add_print_figure(figure, () => paper(print_size));
   // The chart takes its width from the page, which this element joins only after this function.
   requestAnimationFrame(() => chart());
   return element;

@@ -1,22 +1,28 @@
 // The section "shell": a part that fills, in three dimensions over time.
-import { type LineSegments, Vector3 } from "three";
+import { Vector3 } from "three";
 import type { ShellSection } from "../document";
 import { make, make_button, make_choice, make_toggle } from "../dom";
 import { current_palette, sample_map, watch_scheme } from "../palette";
+import { write_quantity } from "../format";
+import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
+import { type Animated, make_animation_buttons } from "../scene/animation";
 import { make_colour_bar } from "../scene/colour_bar";
 import { type ColourScale, make_table } from "../scene/colouring";
 import { compose_picture } from "../scene/picture";
 import { make_player } from "../scene/player";
 import { decode_shell, type DecodedField, field_at, type ShellData } from "../scene/shell";
-import { make_mark_lines, make_place_labels, type PlaceLabels } from "../scene/shell_marks";
+import { make_place_labels, type PlaceLabels } from "../scene/shell_marks";
 import { make_shell_mesh, type ShellMesh } from "../scene/shell_mesh";
+import { make_overlays, type Overlay } from "../scene/shell_overlays";
 import { follow_shell_pointer } from "../scene/shell_pointer";
 import { make_stage, type Stage } from "../scene/stage";
+import { make_gap_profile } from "./gap_profile";
 import { make_section } from "./parts";
+import { make_save_menu } from "./save_buttons";
 
 const positions_of_slider = 120;
-const positions_per_second = 20;
+const seconds_to_play = 6;
 const contours = 20;
 const viridis = make_table((k) => sample_map("viridis", k / 255));
 
@@ -29,10 +35,12 @@ interface Shown {
   scale: ColourScale;
   stage: Stage;
   shell: ShellMesh;
-  lines: LineSegments[];
+  overlays: Overlay[];
   labels: PlaceLabels;
   host: HTMLElement;
   bar: HTMLElement;
+  /** Moves the slider and everything with it. */
+  go: (position: number) => void;
 }
 
 /** Makes the scale of a field, one for all times, so that colours can be compared. */
@@ -55,6 +63,7 @@ function show(shown: Shown): void {
   const { data, shell, host, scale } = shown;
   const field = data.fields[shown.field]!;
   shell.set_time(shown.time);
+  for (const overlay of shown.overlays) overlay.set_time?.(shown.time);
   shell.colour(field_at(data, field, shown.time), scale);
   const filled = data.fill_time.reduce((count, time) => count + (time <= shown.time ? 1 : 0), 0);
   Object.assign(host.dataset, {
@@ -86,27 +95,38 @@ function save_picture(shown: Shown): void {
   });
 }
 
+function animated(shown: Shown): Animated {
+  const show = (share: number): string => {
+    shown.go(positions_of_slider * share);
+    return `t = ${write_quantity(shown.time, "s")}`;
+  };
+  return { name: shown.section.id, stage: shown.stage, scale: () => shown.scale, show };
+}
+
 function add_controls(controls: HTMLElement, shown: Shown): void {
   const fields = shown.data.fields.map(({ label }, k) => ({ value: String(k), text: label }));
   controls.append(make_choice("Colour", fields, "0", (value) => choose_field(shown, Number(value))));
-  shown.section.lines?.forEach(({ label }, k) => {
-    controls.append(make_toggle(label, `Show the ${label}`, true, (on) => {
-      shown.lines[k]!.visible = on;
+  for (const { label, title, object } of shown.overlays) {
+    controls.append(make_toggle(label, title, object.visible, (on) => {
+      object.visible = on;
       shown.stage.redraw();
     }));
-  });
+  }
   controls.append(
     make_toggle("Fronts", "Show lines of equal fill time", false, (on) => {
       shown.shell.set_contour(on ? shown.data.end / contours : 0);
       shown.stage.redraw();
     }),
     make_button("Reset", "Put the camera back", () => shown.stage.reset_camera()),
-    make_button("PNG", "Save the picture with its colour bar", () => save_picture(shown)),
-    make_button("CSV", "Save the nodes at this time as CSV", () => save_nodes(shown)),
+    make_save_menu(
+      make_button("Picture as PNG", "The picture with its colour bar", () => save_picture(shown)),
+      make_button("Nodes as CSV", "All fields at the nodes at this time", () => save_nodes(shown)),
+      ...make_animation_buttons(animated(shown)),
+    ),
   );
 }
 
-function ball_around(points: Float32Array): { middle: Vector3; radius: number } {
+function corners_of(points: Float32Array): Vector3[] {
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = new Vector3(-Infinity, -Infinity, -Infinity);
   for (let k = 0; k < points.length; k += 3) {
@@ -114,8 +134,7 @@ function ball_around(points: Float32Array): { middle: Vector3; radius: number } 
     low.min(at);
     high.max(at);
   }
-  // A flat part fills the picture better than the ball around it would let it.
-  return { middle: low.clone().add(high).multiplyScalar(0.5), radius: Math.max(1e-9, 0.46 * low.distanceTo(high)) };
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z));
 }
 
 function start_stage(section: ShellSection, data: ShellData, host: HTMLElement, bar: HTMLElement): Shown | undefined {
@@ -124,7 +143,7 @@ function start_stage(section: ShellSection, data: ShellData, host: HTMLElement, 
   let stage: Stage;
   try {
     stage = make_stage(host, {
-      ...ball_around(data.points),
+      corners: corners_of(data.points),
       from: new Vector3(0.25, 0.45, 1),
       crowded: data.nodes > 20_000,
       prepare: (palette) => shell?.adapt(palette),
@@ -137,10 +156,10 @@ function start_stage(section: ShellSection, data: ShellData, host: HTMLElement, 
   }
   host.dataset.webgl = "working";
   shell = make_shell_mesh(data, stage.factor);
-  const lines = (section.lines ?? []).map((one) => make_mark_lines(one, stage.factor));
-  stage.scene.add(shell.mesh, shell.outline, ...lines);
+  const overlays = make_overlays(section, data, stage.factor);
+  stage.scene.add(shell.mesh, shell.outline, ...overlays.map(({ object }) => object));
   host.append(labels.element);
-  return { section, data, field: 0, time: data.end, scale: scale_of(data.fields[0]!), stage, shell, lines, labels, host, bar };
+  return { section, data, field: 0, time: data.end, scale: scale_of(data.fields[0]!), stage, shell, overlays, labels, host, bar, go: () => {} };
 }
 
 export function render_shell(section: ShellSection): HTMLElement {
@@ -152,15 +171,19 @@ export function render_shell(section: ShellSection): HTMLElement {
   const shown = start_stage(section, data, host, bar);
   if (!shown) return element;
   const times = Array.from({ length: positions_of_slider + 1 }, (_unused, k) => (data.end * k) / positions_of_slider);
-  const pointer = follow_shell_pointer(host, shown.stage, shown.shell.mesh, data, () => shown.time);
-  const player = make_player(times, (index) => {
-    shown.time = times[index]!;
+  const profile = section.layers && make_gap_profile(section.layers);
+  const pointer = follow_shell_pointer({ host, stage: shown.stage, mesh: shown.shell.mesh, data, time: () => shown.time, chose: profile?.show });
+  const player = make_player(times, (_position, time) => {
+    shown.time = time;
     show(shown);
     pointer.refresh();
-  }, { per_second: positions_per_second, start: positions_of_slider });
+  }, { seconds: seconds_to_play, start: positions_of_slider });
+  shown.go = player.go;
   add_controls(controls, shown);
   figure.append(player.element);
+  if (profile) figure.append(make("p", { class: "between" }, "Click the part for the profiles through its gap."), profile.element);
   choose_field(shown, 0);
+  add_print_view((palette) => bar.replaceChildren(make_colour_bar(shown.scale, palette)));
   watch_scheme(() => choose_field(shown, shown.field));
   return element;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "studies/cluster/run.hpp"
+#include "studies/sample/cell_section.hpp"
 #include "studies/sample/fiber_sections.hpp"
 
 namespace fiberfate {

@@ -9,6 +9,7 @@
 #include "io/vtkhdf_file.hpp"
 #include "results/fiber_frame.hpp"
 #include "studies/molding/checkpoint.hpp"
+#include "studies/molding/part_details.hpp"
 #include "studies/molding/setup.hpp"
 
 namespace fiberfate {
@@ -65,8 +66,10 @@ std::vector<std::size_t> chosen_frames(std::size_t frames, std::size_t nodes) {
   return chosen;
 }
 
-void add_marks(const MoldingCase& values, const ResultFolder& folder, ShellSection& section) {
+/// Adds places and weld lines out of the last state, and the layers, whose thickness only its shell tells.
+void add_last_state(const MoldingCase& values, const ResultFolder& folder, ShellSection& section) {
   const MoldingCheckpoint last = load_molding(folder);
+  add_layers(folder, ShellMesh(last.shell), section);
   const MoldingSetup setup = molding_setup(values, last.shell);
   for (const Gate& gate : setup.params.gates)
     section.places.push_back(
@@ -128,7 +131,9 @@ ShellSection part_section(const MoldingCase& values, const ResultFolder& folder)
       ++field;
     }
   }
-  add_marks(values, folder, section);
+  add_orientation(last, section);
+  add_last_state(values, folder, section);
+  add_stiffness_axes(folder, section);
   section.caption =
       "Values between the frames are interpolated; temperature, length and orientation are means over the "
       "gap. Red "

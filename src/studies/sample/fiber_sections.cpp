@@ -16,7 +16,6 @@ namespace fiberfate {
 namespace {
 
 constexpr double most_bins = 400;
-constexpr std::int64_t most_nodes = 600000;  // of all frames of a page together: some 10 MB of HTML
 constexpr double curvature_bins = 50;
 constexpr Index most_projected = 400;  // fibers in a projection: more only fill it
 
@@ -55,21 +54,6 @@ ReportSeries cell_outline(const Cell& cell, int across, int up) {
     outline.values.push_back(corner[up]);
   }
   return outline;
-}
-
-FiberFrame frame_to_show(const PolyFrame& polylines) {
-  FiberFrame frame;
-  frame.time_s = polylines.time;
-  const std::vector<double> lattice = numbers_of(polylines.frame_data, "lattice");
-  for (std::size_t i = 0; i < 9; ++i)
-    frame.lattice(static_cast<int>(i / 3), static_cast<int>(i % 3)) = lattice.at(i);
-  frame.points.assign(polylines.points.begin(), polylines.points.end());
-  frame.offsets.assign(polylines.offsets.begin(), polylines.offsets.end());
-  for (const double id : numbers_of(polylines.cell_data, "birth_id"))
-    frame.birth.push_back(static_cast<std::int32_t>(id));
-  for (const double radius : numbers_of(polylines.cell_data, "radius"))
-    frame.radius.push_back(static_cast<float>(radius));
-  return frame;
 }
 
 void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
@@ -253,21 +237,6 @@ std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
     sections.push_back(std::move(section));
   }
   return sections;
-}
-
-FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption) {
-  FibersSection section{"cell", "The cell", {}, caption};
-  const std::size_t all = frames.times().size();
-  if (all == 0) return section;
-  const auto nodes = static_cast<std::int64_t>(frames.read(all - 1).points.size() / 3);
-  const auto shown = static_cast<std::size_t>(std::clamp<std::int64_t>(
-      most_nodes / std::max<std::int64_t>(nodes, 1), 1, static_cast<std::int64_t>(all)));
-  // Evenly spread, the last one always among them.
-  for (std::size_t i = 0; i < shown; ++i) {
-    const std::size_t number = shown == 1 ? all - 1 : i * (all - 1) / (shown - 1);
-    section.frames.push_back(frame_to_show(frames.read(number)));
-  }
-  return section;
 }
 
 }  // namespace fiberfate

@@ -39,7 +39,4 @@ namespace fiberfate {
 /// Draws the fibers of the last frame as they are seen along each axis: three sections.
 [[nodiscard]] std::vector<LinesSection> projection_sections(const VtkhdfReader& frames);
 
-/// Shows the cell at as many frames as a page can carry.
-[[nodiscard]] FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption);
-
 }  // namespace fiberfate

@@ -7,6 +7,7 @@
 #include "base/law_choice.hpp"
 #include "dynamics/breakage_laws/breakage_registry.hpp"
 #include "fibers/contact_laws/contact_registry.hpp"
+#include "studies/sample/cell_section.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run.hpp"
@@ -100,7 +101,8 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
     document.stop_reason = summary.text("stop_reason");
     document.sections.emplace_back(came_out(summary));
   }
-  for (LinesSection& chart : draw(cell_charts(), cell_observables(), read_csv(folder.series())))
+  const CsvTable series = read_csv(folder.series());
+  for (LinesSection& chart : draw(cell_charts(), cell_observables(), series))
     document.sections.emplace_back(std::move(chart));
   const VtkhdfReader frames(folder.frames());
   const std::vector<double> times = histogram_times(values, frames);
@@ -108,7 +110,8 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
   document.sections.emplace_back(curvature_section(frames, times));
   const CsvTable breaks = read_csv(folder.breaks());
   if (breaks.rows() > 0) document.sections.emplace_back(break_radius_section(values, breaks));
-  document.sections.emplace_back(fibers_section(frames, "Flow along x, gradient along y."));
+  document.sections.emplace_back(
+      fibers_section(frames, "Flow along x, gradient along y.", read_cell_history(series, breaks)));
   if (finished) document.sections.emplace_back(effort_section(SummaryFile(folder.summary())));
   return document;
 }

@@ -3,11 +3,9 @@ import { read_number } from "./expect.mjs";
 
 /** Gives the ticks of an axis as [place, value]. */
 async function read_ticks(figure, axis) {
-  const place = axis === "x" ? "x" : "y";
   const ticks = await figure.locator(`.tick-${axis}`).evaluateAll(
-    (texts, name) => texts.map((text) => [Number(text.getAttribute(name)), text.textContent]), place);
-  // The text of a y tick sits 4.5 below its line.
-  return ticks.map(([at, text]) => [at - (axis === "y" ? 4.5 : 0), read_number(text)]);
+    (texts) => texts.map((text) => [Number(text.getAttribute("data-at") ?? text.getAttribute("x")), text.textContent]));
+  return ticks.map(([at, text]) => [at, read_number(text)]);
 }
 
 /** Makes the map from places in the figure to values of an axis. */
@@ -16,6 +14,11 @@ export async function read_axis(figure, axis, scale) {
   const [[p0, v0], [p1, v1]] = [ticks[0], ticks.at(-1)];
   if (scale === "log") return (place) => v0 * (v1 / v0) ** ((place - p0) / (p1 - p0));
   return (place) => v0 + ((v1 - v0) * (place - p0)) / (p1 - p0);
+}
+
+/** Gives the places of a figure's left and right edge. */
+export async function read_edges(figure) {
+  return [Number(await figure.getAttribute("data-left")), Number(await figure.getAttribute("data-right"))];
 }
 
 /** Asks the page for its print figures and hands a section's to `use`. */

@@ -1,6 +1,6 @@
 // Checks of histograms and heatmaps: every bar's height read by the ticks, every cell's presence and colour.
 import { is_number } from "./expect.mjs";
-import { read_axis } from "./figure.mjs";
+import { read_axis, read_edges } from "./figure.mjs";
 
 async function show_only(page, section, wanted) {
   const buttons = page.locator(`[id="${section.id}"] .frames button`);
@@ -21,11 +21,12 @@ async function check_frame(page, section, index, expect) {
   expect.equal(bars.length, section.edges.length - 1, `${section.id}: bars at ${label}`);
   const largest = Math.max(1e-300, ...section.frames.flatMap((frame) => frame.values.filter(is_number)));
   const span = section.edges.at(-1) - section.edges[0];
+  const [left, right] = await read_edges(figure);
   bars.forEach((bar, k) => {
     const height = to_y(bar.top) - to_y(bar.top + bar.height);
     const wanted = is_number(values[k]) ? values[k] : 0;
     expect.that(Math.abs(height - wanted) <= 2e-3 * largest, `${section.id}: bar ${k} at ${label} is ${height} high, not ${wanted}`);
-    const share = bar.width / (720 - 14 - 78);
+    const share = bar.width / (right - left);
     expect.that(Math.abs(share - (section.edges[k + 1] - section.edges[k]) / span) < 1e-6, `${section.id}: width of bar ${k}`);
   });
 }

@@ -1,6 +1,6 @@
 // Checks of curves: legend, values under the cursor, pixels, zoom, and the vector figure read back by its ticks.
 import { is_number, read_number, unit_factor } from "./expect.mjs";
-import { read_axis, with_print_figure } from "./figure.mjs";
+import { read_axis, read_edges, with_print_figure } from "./figure.mjs";
 
 const last_of = (values) => values.filter(is_number).at(-1) ?? null;
 
@@ -12,6 +12,7 @@ async function read_factors(page, section) {
 async function check_legend(page, section, factors, expect) {
   const values = page.locator(`[id="${section.id}"] .legend .value`);
   expect.equal(await values.count(), section.series.length, `${section.id}: legend entries`);
+  const largest = Math.max(0, ...section.series.flatMap((series) => series.values.filter(is_number).map(Math.abs)));
   for (const [k, series] of section.series.entries()) {
     const what = `${section.id}: last ${series.label}`;
     const wanted = last_of(series.values);
@@ -19,6 +20,7 @@ async function check_legend(page, section, factors, expect) {
     expect.equal(await values.nth(k).getAttribute("data-last"), wanted === null ? "" : String(wanted), `${what}: data-last`);
     const shown = await values.nth(k).textContent();
     if (wanted === null) expect.equal(shown, "–", what);
+    else if (Math.abs(wanted) < 1e-12 * largest) expect.equal(shown, "0", `${what}, which is round-off`);
     else expect.near(read_number(shown) * factors.y, wanted, what);
   }
 }
@@ -124,7 +126,7 @@ async function check_zoom(page, section, expect) {
     let found;
     await with_print_figure(page, section.id, async (figure) => {
       const to_x = await read_axis(figure, "x", "linear");
-      found = [to_x(78), to_x(706)];
+      found = (await read_edges(figure)).map(to_x);
     });
     return found;
   };

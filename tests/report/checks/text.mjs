@@ -1,5 +1,5 @@
 // Checks of the sections that are text: facts, tables, and the note for an unknown kind.
-import { is_number, plain_label, read_number, read_quantity } from "./expect.mjs";
+import { is_number, plain_label, read_number, read_quantity, unit_factor } from "./expect.mjs";
 
 async function check_fact(expect, shown, fact, what) {
   if (Array.isArray(fact.value)) {
@@ -29,6 +29,8 @@ export async function check_facts(page, section, expect) {
 
 export async function check_table(page, section, expect) {
   const rows = page.locator(`[id="${section.id}"] tbody tr`);
+  const units = await page.locator(`[id="${section.id}"] thead th`).evaluateAll(
+    (cells) => cells.map((cell) => cell.querySelector(".unit")?.textContent ?? ""));
   expect.equal(await rows.count(), section.rows.length, `${section.id}: rows`);
   for (const [j, row] of section.rows.entries()) {
     const cells = await rows.nth(j).locator("td").allTextContents();
@@ -36,7 +38,7 @@ export async function check_table(page, section, expect) {
     row.forEach((value, k) => {
       const what = `${section.id}: row ${j}, ${section.columns[k].label}`;
       if (typeof value === "string") expect.equal(cells[k], plain_label(value), what);
-      else if (is_number(value)) expect.near(read_number(cells[k]), value, what);
+      else if (is_number(value)) expect.near(read_number(cells[k]) * unit_factor(units[k], section.columns[k].unit), value, what);
       else expect.equal(cells[k], "–", what);
     });
   }

@@ -1,0 +1,61 @@
+// Which few numbers stand on top of the page, and what became of each in the course of the run.
+import { type Fact, is_number, type LinesSection, type ReportDocument, type Series, type Value } from "./document";
+import { outcome_facts } from "./layout";
+
+export interface Headline {
+  label: string;
+  value: Value;
+  unit?: string;
+  note?: string;
+  /** The same quantity over the run, where the document has a curve of it. */
+  course?: { x: Value[]; values: Value[] };
+}
+
+const most_headlines = 6;
+
+function plain(label: string): string {
+  return label.toLowerCase().replaceAll(/[_\s]/g, "");
+}
+
+interface FoundSeries {
+  section: LinesSection;
+  series: Series;
+}
+
+function find_series(found: ReportDocument, label: string): FoundSeries | undefined {
+  for (const section of found.sections) {
+    if (section.kind !== "lines") continue;
+    const series = section.series.find((one) => plain(one.label) === plain(label));
+    if (series) return { section, series };
+  }
+  return undefined;
+}
+
+/** A curve tells the course of a fact when it ends where the fact stands. */
+function course_of(found: ReportDocument, label: string, value: number): Headline["course"] {
+  const match = find_series(found, label);
+  if (!match) return undefined;
+  const last = match.series.values.filter(is_number).at(-1);
+  if (last === undefined || Math.abs(last - value) > 1e-3 * Math.abs(value)) return undefined;
+  return { x: match.series.x ?? match.section.x.values ?? [], values: match.series.values };
+}
+
+/** A tensor stands for itself by its first component. */
+function headline_of(found: ReportDocument, fact: Fact): Headline | undefined {
+  const { unit, note } = fact;
+  const tensor = Array.isArray(fact.value);
+  const value = tensor ? (fact.value as Value[][])[0]?.[0] : fact.value;
+  if (!is_number(value)) return undefined;
+  const label = tensor ? "a_11" : fact.label;
+  return { label, value, unit, note: tensor ? undefined : note, course: course_of(found, label, value) };
+}
+
+/** Chooses the document's headlines, or those of its results that have a course, and others up to six. */
+export function choose_headlines(found: ReportDocument): Headline[] {
+  const facts = found.sections.flatMap((section) => (section.kind === "facts" ? section.rows : []));
+  const marked = facts.filter((fact) => fact.headline);
+  const candidates = marked.length > 0 ? marked : outcome_facts(found).flatMap((section) => section.rows);
+  const headlines = candidates.map((fact) => headline_of(found, fact)).filter((one): one is Headline => one !== undefined);
+  if (marked.length > 0) return headlines;
+  return [...headlines.filter((one) => one.course), ...headlines.filter((one) => !one.course)].slice(0, most_headlines);
+}

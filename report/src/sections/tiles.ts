@@ -1,0 +1,60 @@
+// The headlines of a report: large numbers, each with its course over the run and what changed.
+import { is_number, type ReportDocument } from "../document";
+import { make, make_label, make_svg } from "../dom";
+import { choose_unit, write_number, write_quantity } from "../format";
+import { choose_headlines, type Headline } from "../headline";
+
+const spark = { width: 120, height: 30 };
+
+/** Draws the course of a number without axes: where it came from is told in words beside it. */
+function draw_spark({ x, values }: NonNullable<Headline["course"]>): SVGSVGElement | undefined {
+  const points = values.map((y, k) => [x[k], y] as const).filter((point): point is [number, number] => point.every(is_number));
+  const [xs, ys] = [points.map(([at]) => at), points.map(([, y]) => y)];
+  const [left, right] = [Math.min(...xs), Math.max(...xs)];
+  const [low, high] = [Math.min(...ys), Math.max(...ys)];
+  if (points.length < 2 || !(right > left) || !(high > low)) return undefined;
+  const place = ([at, y]: [number, number]): string =>
+    `${((spark.width - 8) * (at - left)) / (right - left) + 2},${spark.height - 4 - ((spark.height - 8) * (y - low)) / (high - low)}`;
+  const places = points.map(place);
+  const [end_x, end_y] = places.at(-1)!.split(",");
+  return make_svg(
+    "svg", { class: "spark", viewBox: `0 0 ${spark.width} ${spark.height}`, "aria-hidden": "true" },
+    make_svg("path", { d: `M${places.join("L")}` }), make_svg("circle", { cx: end_x, cy: end_y, r: 2.6 }),
+  );
+}
+
+/** Says where a number came from; an amount that began at nothing has no share. */
+function tell_change({ value, unit, course }: Headline): string | undefined {
+  const first = course?.values.find(is_number);
+  if (first === undefined || !is_number(value)) return undefined;
+  if (Math.abs(value - first) <= 1e-9 * Math.abs(first)) return "as at the start";
+  const from = `from ${write_quantity(first, unit, 3)}`;
+  if (!(Math.abs(first) > 1e-9 * Math.abs(value)) || first * value < 0) return from;
+  const share = (100 * (value - first)) / Math.abs(first);
+  if (Math.abs(share) >= 1000) return from;
+  const digits = write_number(Number(Math.abs(share).toPrecision(2)), 2);
+  return `${from}, ${share < 0 ? "\u2212" : "+"}${digits}\u2009%`;
+}
+
+function make_tile(headline: Headline): HTMLElement {
+  const { label, value, unit, note } = headline;
+  const shown = choose_unit(unit, Math.abs(value ?? 0));
+  const number = write_number(is_number(value) ? value * shown.factor : null, 3);
+  const tile = make(
+    "li", { class: "tile", "data-label": label, "data-value": value ?? "" },
+    make("span", { class: "tile-label" }, make_label(label)),
+    make("span", { class: "tile-value" }, number, shown.unit ? make("span", { class: "unit" }, `\u2009${shown.unit}`) : ""),
+  );
+  const drawn = headline.course && draw_spark(headline.course);
+  if (drawn) tile.append(drawn);
+  const told = tell_change(headline) ?? note;
+  if (told) tile.append(make("span", { class: "tile-note" }, make_label(told)));
+  return tile;
+}
+
+/** Makes the row of tiles, or nothing where the document has no numbers to headline. */
+export function render_tiles(found: ReportDocument): HTMLElement | undefined {
+  const headlines = choose_headlines(found);
+  if (headlines.length === 0) return undefined;
+  return make("ul", { class: "tiles", "aria-label": "What came out" }, ...headlines.map(make_tile));
+}
