@@ -99,8 +99,7 @@ int run_export(const ExportOptions& options) {
   const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;
   std::filesystem::create_directories(out);
   if (structure) {
-    const auto solver =
-        options.format == "abaqus" ? StructuralSolver::abaqus : StructuralSolver::calculix;
+    const auto solver = options.format == "abaqus" ? StructuralSolver::abaqus : StructuralSolver::calculix;
     fmt::print("{}\n", export_structure(*molding, folder, out, solver));
     return 0;
   }

@@ -7,8 +7,9 @@ namespace fiberfate {
 
 struct ExportOptions {
   std::string folder;
-  std::string format;  ///< "vtp", "csv", "abaqus", "calculix"; an unknown one raises InputError with a suggestion
-  std::string out;     ///< where to write; empty: folder/export_<format>
+  std::string
+      format;  ///< "vtp", "csv", "abaqus", "calculix"; an unknown one raises InputError with a suggestion
+  std::string out;  ///< where to write; empty: folder/export_<format>
 };
 
 /// Writes a result in another format; returns the exit status.

@@ -14,8 +14,8 @@ void extrapolate_to_middle(const FiberState& state, const Flow& flow, double ste
 
 /// Moves every node, x ← exp(kappa step)·x + step (w + (step/2) kappa·w_last), restores every rod's length
 /// and then the fiber's centroid (restoring from one end would drift), carries the cell, and makes w the
-/// state's velocity. `travelled` receives, for every rod, the larger displacement of its nodes relative to the
-/// fluid, m. Advances the time.
+/// state's velocity. `travelled` receives, for every rod, the larger displacement of its nodes relative to
+/// the fluid, m. Advances the time.
 void move_fibers(FiberState& state, const Flow& flow, double step, std::span<const Vec3> relative_velocity,
                  std::span<double> travelled);
 

@@ -30,8 +30,8 @@ void describe_law_name(KeyTable& table, const std::string& key, std::string& mem
 
 /// The key that holds the name of a law, as a row.
 template <class Group, class Row>
-[[nodiscard]] KeyRow<Group> law_key(const char* leaf, std::string Group::*member, const std::vector<Row>& laws,
-                                    const char* text) {
+[[nodiscard]] KeyRow<Group> law_key(const char* leaf, std::string Group::*member,
+                                    const std::vector<Row>& laws, const char* text) {
   return {leaf, [member, &laws, text](KeyTable& table, const std::string& name, Group& group) {
             describe_law_name(table, name, group.*member, laws, {.text = text});
           }};

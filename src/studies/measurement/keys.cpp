@@ -14,14 +14,16 @@ KeyGroup<MeasuredLengthChoices> length_keys() {
           file_key("file", &Lengths::file,
                    "CSV file with a row a fiber, or a row a length with the number of its fibers.",
                    optional("\"lengths.csv\"")),
-          text_key("column", &Lengths::column, "column",
-                   "Column that holds the lengths; not given: the only one, or the only one whose heading says "
-                   "\"length\" with a unit.",
-                   optional("\"length\"")),
+          text_key(
+              "column", &Lengths::column, "column",
+              "Column that holds the lengths; not given: the only one, or the only one whose heading says "
+              "\"length\" with a unit.",
+              optional("\"length\"")),
           text_key("number_column", &Lengths::number_column, "column",
                    "Column that tells how many fibers a row stands for; not given: one.",
                    optional("\"count\"")),
-          text_key("unit", &Lengths::unit, "unit", "Unit of the lengths in the file; not given: the one in the heading, \"Length [mm]\".",
+          text_key("unit", &Lengths::unit, "unit",
+                   "Unit of the lengths in the file; not given: the one in the heading, \"Length [mm]\".",
                    optional("\"um\"")),
           key("sample_diameter", &Lengths::sample_diameter, {"m", "mm"}, Range::positive(10),
               "Diameter of the region that was taken out of a larger sample to measure fewer fibers. The "

@@ -177,7 +177,8 @@ KeyRows<ContactParameters> contact_law_rows() {
   return {
       law_key("law", &Contact::law, contact_laws(), "The normal force between rods that touch."),
       key("force_constant", &Contact::force_constant, {"N/m"}, Range::between(0, 1e6),
-          "A of law \"exponential\", the normal force F = A D exp(-B (d/a - 2)) between rods of diameter D = 2a whose axes are d "
+          "A of law \"exponential\", the normal force F = A D exp(-B (d/a - 2)) between rods of diameter D = "
+          "2a whose axes are d "
           "apart (the thesis' excluded volume force constant). 0 switches contact off.",
           {}, "thesis equation 3.14 and table 4 (250, 500, 750)"),
       key("decay", &Contact::decay, {}, Range::between(0, 100), "B in the same.", {}, "thesis section 3.3.3"),

@@ -51,7 +51,6 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values);
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_shear_cell(const ShearCellCase& values);
 
-
 /// Gathers what the motion of fibers takes, with the seed of the run.
 [[nodiscard]] DynamicsParameters dynamics_parameters(const ShearCellCase& values);
 /// Makes the flow history of a valid case.

@@ -56,10 +56,10 @@ KeyGroup<DynamicsParameters> drag_keys() {
 }
 
 KeyGroup<DynamicsParameters> hinge_keys() {
-  return {"hinge",
-          "The resistance of a fiber to bending.",
-          {law_key("law", &DynamicsParameters::hinge, hinge_laws(),
-                   "The moment at a hinge between two rods.")}};
+  return {
+      "hinge",
+      "The resistance of a fiber to bending.",
+      {law_key("law", &DynamicsParameters::hinge, hinge_laws(), "The moment at a hinge between two rods.")}};
 }
 
 KeyGroup<ContactParameters> contact_keys() {

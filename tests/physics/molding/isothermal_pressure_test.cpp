@@ -1,9 +1,9 @@
 // Compares the pressure of isothermal filling with exact solutions.
 #include <gtest/gtest.h>
 
-#include "physics/record.hpp"
 #include "base/error.hpp"
 #include "molding/mesh_quality.hpp"
+#include "physics/record.hpp"
 #include "test_shells.hpp"
 
 namespace fiberfate {
