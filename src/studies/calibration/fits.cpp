@@ -16,7 +16,7 @@ std::string key_of(const std::string& name) {
 }  // namespace
 
 std::vector<FitName> fit_names(const CalibrationCase& values) {
-  if (values.search.scope == FitScope::together) return {{}};
+  if (values.search.scope == FitScope::together) return {FitName{}};
   std::vector<FitName> names;
   for (const std::string& name : values.conditions.names)
     names.push_back({static_cast<double>(names.size()), key_of(name) + "_", ", " + name});
