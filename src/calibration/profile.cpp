@@ -40,7 +40,7 @@ class EndSearch {
     double inside = walk_.start(), step = first_step;
     for (int i = 0; i < most_doublings; ++i, step *= 1.6) {
       const double outside = step > 0 ? std::min(inside + step, bound) : std::max(inside + step, bound);
-      if (walk_.at(outside) >= limit_) return crossing(inside, outside);
+      if (walk_.at(outside) >= limit_ && walk_.explore(outside) >= limit_) return crossing(inside, outside);
       if (outside == bound) return bound;
       inside = outside;
     }
@@ -77,7 +77,7 @@ class EndSearch {
     for (const double place : places_beyond) {
       const double far = walk_.start() + place * (end - walk_.start());
       const double held = end > walk_.start() ? std::min(far, bound) : std::max(far, bound);
-      if (held != end && walk_.at(held) < limit_) likely = held;
+      if (held != end && walk_.explore(held) < limit_) likely = held;
     }
     return likely;
   }

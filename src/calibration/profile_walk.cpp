@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <utility>
+
+#include "base/random.hpp"
 
 namespace fiberfate {
 namespace {
@@ -14,6 +17,9 @@ namespace {
 constexpr int most_rounds = 3;
 /// Share by which a minimum must be lower to be another one, not the same found less precisely.
 constexpr double lower_by = 1e-7;
+/// Places from which explore searches, and the seed with which they are drawn.
+constexpr std::uint32_t drawn_places = 6;
+constexpr std::uint64_t drawing_seed = 7;
 /// Relative difference of chi^2, and distance in coordinates of order one, that make two minima.
 constexpr double other_minimum = 1e-5, other_place = 1e-2;
 
@@ -71,6 +77,25 @@ double ProfileWalk::at(double held) {
   if (known != points_.end()) return known->second.chi_square;
   points_[held] = search(held, neighbour_);
   if (neighbour_ != best_others_) improve(held, best_others_);
+  const ProfilePoint& point = points_[held];
+  if (std::isfinite(point.chi_square)) neighbour_ = point.others;
+  return point.chi_square;
+}
+
+double ProfileWalk::explore(double held) {
+  at(held);
+  if (best_others_.empty()) return points_[held].chi_square;
+  const LeastSquares problem = residuals_.pose_without(coordinate_, held, most_iterations_);
+  for (std::uint32_t place = 0; place < drawn_places; ++place) {
+    std::vector<double> others = best_others_;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      const double low = std::isfinite(problem.lower[i]) ? problem.lower[i] : others[i] - 1;
+      const double high = std::isfinite(problem.upper[i]) ? problem.upper[i] : others[i] + 1;
+      others[i] = std::lerp(
+          low, high, uniform(drawing_seed, RandomStream::noise, {place, static_cast<std::uint32_t>(i)}));
+    }
+    improve(held, others);
+  }
   const ProfilePoint& point = points_[held];
   if (std::isfinite(point.chi_square)) neighbour_ = point.others;
   return point.chi_square;

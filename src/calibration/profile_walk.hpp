@@ -20,9 +20,9 @@ struct ProfilePoint {
 [[nodiscard]] bool are_distinct(const ProfilePoint& one, const ProfilePoint& other);
 
 /// Computes points of a profile. At every one the other coordinates are searched from where the neighbour's
-/// ended, from the best fit, and from the neighbours on the other side (settle_branches), and the lowest
-/// minimum counts: a search that only follows its neighbour stays in a minimum that has ceased to be the
-/// lowest.
+/// ended, from the best fit, where asked from drawn places (explore) and from the neighbours on both sides
+/// (settle_branches), and the lowest minimum counts: a search that only follows its neighbour stays in a
+/// minimum that has ceased to be the lowest.
 class ProfileWalk {
  public:
   /// Refers to the residuals, which must live longer. `best` is the position of the fit.
@@ -31,6 +31,9 @@ class ProfileWalk {
 
   /// Computes the least chi^2 with the coordinate held.
   double at(double held);
+  /// Searches a point again from drawn places, anywhere between the bounds: minima that neither the
+  /// neighbours nor the best fit lead to. Returns the least chi^2 found.
+  double explore(double held);
   /// Begins again next to the best fit.
   void begin_at_best();
   /// Tells whether searches from different places have ended in different minima anywhere.

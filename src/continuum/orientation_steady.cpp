@@ -38,7 +38,9 @@ constexpr double difference_step = 1e-6;
 constexpr double marginal_decay = 1e-6;
 /// A closure that errs may place its steady state this far outside; integrators put such states back.
 constexpr double tolerated_negative_value = 1e-9;
-constexpr double same_state = 1e-6;
+/// States nearer to each other than this are one, which a flat minimum gives less precisely; principal values
+/// nearer than the second are equal.
+constexpr double same_state = 1e-4, equal_values = 1e-6;
 
 /// Orthonormal basis of the symmetric tensors without trace.
 const std::array<Mat3, 5>& basis() {
@@ -139,7 +141,7 @@ double growth(const OrientationModel& model, const Rate& rate, const Vec5& x) {
   const Eigenframe frame = eigenframe(state_of(x));
   const double gap = std::min(frame.values[0] - frame.values[1], frame.values[1] - frame.values[2]);
   if (model.retardation == Retardation::srf) jacobian *= slowness(model);
-  if (acts_on_principal_values(model.retardation) && gap > same_state) {
+  if (acts_on_principal_values(model.retardation) && gap > equal_values) {
     // The part along the axes is slowed down; beside equal values a disturbance makes its own axes.
     Mat5 retarded;
     for (int k = 0; k < 5; ++k) {
@@ -150,8 +152,8 @@ double growth(const OrientationModel& model, const Rate& rate, const Vec5& x) {
     jacobian = retarded;
   }
   const double fastest = Eigen::EigenSolver<Mat5>(jacobian, false).eigenvalues().real().maxCoeff();
-  return acts_on_principal_values(model.retardation) && !(gap > same_state) ? slowness(model) * fastest
-                                                                            : fastest;
+  return acts_on_principal_values(model.retardation) && !(gap > equal_values) ? slowness(model) * fastest
+                                                                              : fastest;
 }
 
 std::string words_for(const Mat3& a) {

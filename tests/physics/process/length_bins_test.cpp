@@ -23,11 +23,11 @@ std::vector<double> edges_of(std::size_t count) {
   return edges;
 }
 
-/// Shares of the number of fibers in each bin of a histogram, of fibers of 12 mm that have broken for 20 s.
+/// Shares of the number of fibers in each bin of a histogram, of fibers of 12 mm that have broken for 1.5 s.
 std::vector<double> shares(double zeta, std::size_t bins, const std::vector<double>& edges) {
   const auto law = make_attrition_law("phelps", std::vector<double>{0.02, zeta, 0.25, 73e9, 19e-6, 0});
   const auto evolution = law->start({.initial = {{longest}, {1}}, .bins = {bins, longest}});
-  evolution->advance(flow, 20);
+  evolution->advance(flow, 1.5);
   std::vector<double> counts = histogram(evolution->population(), edges);
   const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
   for (double& count : counts) count /= all;

@@ -150,7 +150,8 @@ TEST(SteadyOrientation, IsRefusedInWordsWhereThereIsNone) {
   EXPECT_NE(failure_of(model, spin).find("nothing deforms"), std::string::npos);
   model.constants.kappa = 0;
   EXPECT_NE(failure_of(model, simple_shear_gradient()).find("holds the principal values"), std::string::npos);
-  const OrientationModel jeffery = model_with(RotaryDiffusion::none, Retardation::none, Closure::ibof);
+  // IBOF itself has a state at A11 = 0.9993 to which it leads; with the hybrid closure fibers align for ever.
+  const OrientationModel jeffery = model_with(RotaryDiffusion::none, Retardation::none, Closure::hybrid);
   EXPECT_NE(failure_of(jeffery, simple_shear_gradient()).find("no steady orientation"), std::string::npos)
       << failure_of(jeffery, simple_shear_gradient());
   const OrientationModel linear =
