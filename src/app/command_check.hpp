@@ -1,4 +1,4 @@
-// Declares the command check.
+// The command check.
 #pragma once
 
 #include <string>

@@ -91,7 +91,7 @@ void explain_overview() {
     for (const Key& key : keys.table.keys()) names.push_back(key.leaf());
   }
   // Hardly anybody misses the first letter: a word with another one is another word.
-  std::erase_if(names, [&topic](const std::string& name) { return name.front() != topic.front(); });
+  std::erase_if(names, [&topic](const std::string& name) { return !name.starts_with(topic.front()); });
   const std::string nearest = nearest_word(topic, names);
   throw InputError(
       fmt::format("there is no study, table or key '{}'", topic),

@@ -1,11 +1,11 @@
-// Declares the command explain.
+// The command explain.
 #pragma once
 
 #include <string>
 
 namespace fiberfate {
 
-/// Names how explanations are laid out.
+/// How explanations are laid out.
 enum class ExplainLayout {
   terminal,
   markdown,  ///< all keys of all studies: docs/guide/case_keys.md

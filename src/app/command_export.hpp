@@ -1,4 +1,4 @@
-// Declares the command export.
+// The command export.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Declares the command import.
+// The command import.
 #pragma once
 
 #include <string>

@@ -57,7 +57,7 @@ double quantity(const std::string& option, const std::string& text, const std::s
   }
 }
 
-/// Holds the options of all commands and the status of the one that ran.
+/// The options of all commands and the status of the one that ran.
 struct Commands {
   NewOptions new_case;
   CheckOptions check;
@@ -204,7 +204,7 @@ void add_result_commands(CLI::App& app, Commands& commands) {
   import_case->callback([&commands] { commands.status = run_import(commands.import_case); });
 }
 
-/// Says what is wrong with a command line that CLI11 refused, with the nearest option or command.
+/// States what is wrong with a command line that CLI11 refused, with the nearest option or command.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error,
                     const std::vector<std::string>& words) {
   const CLI::App* command = &app;

@@ -1,9 +1,9 @@
-// Declares the command line.
+// The command line.
 #pragma once
 
 namespace fiberfate {
 
-/// Names the program's exit statuses.
+/// The program's exit statuses.
 enum class ExitStatus {
   done = 0,
   bad_input = 2,

@@ -33,7 +33,7 @@ struct NamedText {
                                    : fmt::format("did you mean '{}'?", nearest));
 }
 
-/// Gathers the files to write and the name of their folder.
+/// The files to write and the name of their folder.
 std::pair<std::string, std::vector<NamedText>> files_of(const std::string& what) {
   if (const Study* study = find_study(what)) return {what, {{"case.toml", case_template(*study)}}};
   const std::string name = find_gallery_case(what);

@@ -1,4 +1,4 @@
-// Declares the command new.
+// The command new.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ namespace fiberfate {
 
 namespace {
 
-/// Names the folder also where its path ends in a slash or is ".".
+/// The name of the folder also where its path ends in a slash or is ".".
 std::string folder_name(const std::string& path) {
   const std::filesystem::path whole = std::filesystem::weakly_canonical(path);
   return (whole.has_filename() ? whole : whole.parent_path()).filename().string();

@@ -1,4 +1,4 @@
-// Declares the command report.
+// The command report.
 #pragma once
 
 #include <string>

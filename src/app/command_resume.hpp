@@ -1,4 +1,4 @@
-// Declares the command resume.
+// The command resume.
 #pragma once
 
 #include "app/run_options.hpp"

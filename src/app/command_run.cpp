@@ -14,7 +14,7 @@
 namespace fiberfate {
 namespace {
 
-/// Names the folder after the case: "shear.toml" gives "shear_result"; a "case.toml" is named after its
+/// The folder of a case's result: "shear.toml" gives "results/shear"; a "case.toml" is named after its
 /// folder.
 std::string default_folder(const std::string& case_file) {
   const std::filesystem::path path = std::filesystem::absolute(case_file);

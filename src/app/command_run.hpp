@@ -1,4 +1,4 @@
-// Declares the command run.
+// The command run.
 #pragma once
 
 #include "app/run_options.hpp"

@@ -1,4 +1,4 @@
-// Holds the gallery of cases, which is built into the program so that it is there wherever that is installed.
+// The gallery of cases, which is built into the program so that it is there wherever that is installed.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace fiberfate {
 
-/// Holds one file of the gallery.
+/// One file of the gallery.
 struct GalleryFile {
   std::string_view case_name;  ///< "01_jeffery_orbit"
   std::string_view name;       ///< "case.toml"
   std::string_view text;
 };
 
-/// Tells all files, case by case.
+/// All files, case by case.
 [[nodiscard]] std::span<const GalleryFile> gallery_files();
 
 /// Lists the names of the cases, in their order.

@@ -13,7 +13,7 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
 };
 
-/// Tells whether a signal has asked the run to stop.
+/// Whether a signal has asked the run to stop.
 [[nodiscard]] bool stop_requested();
 
 }  // namespace fiberfate

@@ -1,4 +1,4 @@
-// Holds doubles on a boundary of 64 bytes, where packs of eight of them can be loaded whole.
+// Doubles on a boundary of 64 bytes, where packs of eight of them can be loaded whole.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds an array that kernels work on; it is not initialised.
+/// An array that kernels work on; it is not initialised.
 class AlignedArray {
  public:
   /// Makes room for `count` doubles, a multiple of eight; what was there is lost when the array grows.

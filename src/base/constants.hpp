@@ -1,4 +1,4 @@
-// Holds the mathematical constants that the models use.
+// The mathematical constants that the models use.
 #pragma once
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// Declares the errors that a user can meet: bad input, a failed simulation, a result that cannot be written.
+// The errors that a user can meet: bad input, a failed simulation, a result that cannot be written.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class InputError : public std::runtime_error {
   std::vector<InputProblem> problems_;
 };
 
-/// Says where and how a simulation failed.
+/// Where and how a simulation failed.
 struct FailurePlace {
   std::int64_t step = 0;
   double time = 0;           ///< s

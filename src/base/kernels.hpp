@@ -1,4 +1,4 @@
-// Declares kernels for every instruction set and picks the one for this processor.
+// Kernels for every instruction set, and the choice of the one for this processor.
 #pragma once
 
 #include "base/simd.hpp"

@@ -31,7 +31,7 @@ template <class Row>
   return *found;
 }
 
-/// Tells whether a law reads a constant.
+/// Whether a law reads a constant.
 [[nodiscard]] bool reads_constant(const LawText& law, std::string_view constant);
 
 }  // namespace fiberfate

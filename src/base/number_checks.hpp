@@ -8,13 +8,13 @@
 
 namespace fiberfate {
 
-/// Says which numbers a parameter may take; all ranges hold finite numbers only.
+/// Which numbers a parameter may take; all ranges hold finite numbers only.
 struct NumberRange {
   double lower = -std::numeric_limits<double>::max();
   double upper = std::numeric_limits<double>::max();
   bool above_lower = false;  ///< the lower end itself is out
 
-  /// Tells whether a number lies in the range; NaN and infinities do not.
+  /// Whether a number lies in the range; NaN and infinities do not.
   [[nodiscard]] bool holds(double value) const {
     return (value >= lower) & (value <= upper) & !(above_lower & (value == lower));
   }

@@ -44,7 +44,7 @@ struct PackMath {
   [[gnu::always_inline]] static Pack arcsine_ratio(const Pack& y) { return arcsine_ratio_of(y); }
 };
 
-/// Tells how many constants a law of PackMath has.
+/// How many constants a law of PackMath has.
 template <class Law>
 inline constexpr int constants_of = __is_empty(Law) ? 0 : static_cast<int>(sizeof(Law) / sizeof(Pack));
 

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds one flat patch: an area within one closed loop and outside of others.
+/// One flat patch: an area within one closed loop and outside of others.
 struct Patch {
   std::string region;                           ///< patches may share one
   std::vector<std::vector<std::size_t>> loops;  ///< corners in order; the first loop is the outer one
@@ -19,7 +19,7 @@ struct Patch {
   std::vector<std::size_t> inner_points;  ///< corners inside that become points of the mesh
 };
 
-/// Holds patches that meet at edges: an edge between the same two corners is meshed once.
+/// Patches that meet at edges: an edge between the same two corners is meshed once.
 struct PatchedSurface {
   std::vector<Vec3> corners;  ///< m
   std::vector<double> sizes;  ///< edge length of triangles wanted at each corner, m

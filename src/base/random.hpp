@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Names the purposes of random numbers, so that two uses with equal counters stay independent.
+/// The purposes of random numbers, so that two uses with equal counters stay independent.
 /// The values are part of the reproducibility contract: append, never renumber.
 enum class RandomStream : std::uint32_t {
   orientation = 1,

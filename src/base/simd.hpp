@@ -14,10 +14,10 @@
 
 namespace fiberfate {
 
-/// Names the instruction sets for which kernels are compiled.
+/// The instruction sets for which kernels are compiled.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// Tells the best instruction set of this processor; the environment variable FIBERFATE_ISA
+/// The best instruction set of this processor; the environment variable FIBERFATE_ISA
 /// ("baseline", "avx2", "avx512") asks for a lesser one.
 [[nodiscard]] InstructionSet instruction_set();
 [[nodiscard]] const char* name(InstructionSet set);

@@ -11,7 +11,7 @@
 #ifdef FIBERFATE_ISA
 namespace fiberfate::FIBERFATE_ISA {
 
-/// Holds eight vectors by components.
+/// Eight vectors by components.
 struct Triple {
   Pack x, y, z;
 };

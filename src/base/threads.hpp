@@ -15,7 +15,7 @@
 
 namespace fiberfate {
 
-/// Tells how many threads a parallel loop uses.
+/// How many threads a parallel loop uses.
 [[nodiscard]] inline int thread_count() {
   return omp_get_max_threads();
 }
@@ -90,7 +90,7 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   failure.rethrow();
 }
 
-/// Tells which of consecutive items is the first of a share, when `shares` of about equal weight are made;
+/// The first of consecutive items that belongs to a share, when `shares` of about equal weight are made;
 /// item i weighs running[i + 1] − running[i].
 [[nodiscard]] inline std::ptrdiff_t share_begin(std::span<const Index> running, int share, int shares) {
   const auto items = static_cast<std::ptrdiff_t>(running.size()) - 1;

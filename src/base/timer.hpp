@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Names the phases whose times summary.json reports.
+/// The phases whose times summary.json reports.
 enum class Phase : std::size_t { neighbours, loads, solve, update, breakage, output };
 inline constexpr std::size_t phase_count = 6;
 inline constexpr std::array<const char*, phase_count> phase_names = {"neighbours", "loads",    "solve",
@@ -38,11 +38,11 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
-/// Tells the wall seconds since an arbitrary start.
+/// Wall seconds since an arbitrary start.
 [[nodiscard]] double wall_seconds();
-/// Tells the processor seconds that this process has used, all threads together.
+/// Processor seconds that this process has used, all threads together.
 [[nodiscard]] double cpu_seconds();
-/// Tells the largest resident memory of this process so far, in bytes.
+/// The largest resident memory of this process so far, bytes.
 [[nodiscard]] std::size_t peak_memory_bytes();
 
 }  // namespace fiberfate

@@ -130,7 +130,7 @@ bool are_reciprocal(const Dimension& a, const Dimension& b) {
   });
 }
 
-/// Names what a letter means to UDUNITS where people mean a temperature by it.
+/// States what a letter means to UDUNITS where people mean a temperature by it.
 std::string temperature_remark(const std::string& unit, const std::string& si_unit) {
   if (si_unit != "K") return "";
   if (unit == "C") return "; 'C' is coulomb: write 'degC' for degrees Celsius";
@@ -205,7 +205,7 @@ bool is_letter(char letter) {
   return std::isalpha(static_cast<unsigned char>(letter)) != 0 || (letter & 0x80) != 0;
 }
 
-/// Tells whether a digit of a unit belongs to an exponent: "m2", "s-1", "m^-2", "(m K)^2".
+/// Whether a digit of a unit belongs to an exponent: "m2", "s-1", "m^-2", "(m K)^2".
 bool is_exponent(std::string_view unit, std::size_t digit) {
   std::string_view before = unit.substr(0, digit);
   if (before.ends_with('-') || before.ends_with('+')) before.remove_suffix(1);

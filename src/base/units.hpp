@@ -12,7 +12,7 @@ namespace fiberfate {
 /// differs.
 [[nodiscard]] double quantity_in_si(std::string_view quantity, const std::string& si_unit);
 
-/// Tells by which factor a number in `unit` is multiplied to be in `si_unit`; raises as above.
+/// The factor that turns a number in `unit` into one in `si_unit`; raises as above.
 [[nodiscard]] double unit_factor(const std::string& unit, const std::string& si_unit);
 
 }  // namespace fiberfate

@@ -1,4 +1,4 @@
-// Names the small vectors and matrices that all modules share.
+// The small vectors and matrices that all modules share.
 #pragma once
 
 #include <Eigen/Core>

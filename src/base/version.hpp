@@ -1,4 +1,4 @@
-// Tells the version of the program.
+// The version of the program.
 #pragma once
 
 namespace fiberfate {

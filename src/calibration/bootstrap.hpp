@@ -14,7 +14,7 @@ enum class BootstrapKind {
   normal      ///< predictions plus normal noise of the fit's scale
 };
 
-/// Says how many samples to draw.
+/// How many samples to draw.
 struct BootstrapOptions {
   int samples = 500;
   BootstrapKind kind = BootstrapKind::residuals;
@@ -22,7 +22,7 @@ struct BootstrapOptions {
   double level = 0.95;
 };
 
-/// Holds what the samples gave, by free parameter.
+/// What the samples gave, by free parameter.
 struct Bootstrap {
   std::vector<std::vector<double>> values;  ///< [free parameter][sample], SI, of the samples that converged
   std::vector<double> standard_errors;

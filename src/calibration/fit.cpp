@@ -65,7 +65,7 @@ bool at_bound(const FitCoordinates& coordinates, std::size_t i, double position)
   return position - coordinates.lower()[i] < near || coordinates.upper()[i] - position < near;
 }
 
-/// Names a direction of the search that changes no prediction: relative changes of the parameters that take
+/// States a direction of the search that changes no prediction: relative changes of the parameters that take
 /// part.
 std::string describe_combination(const FitProblem& problem, const FitCoordinates& coordinates,
                                  const Eigen::VectorXd& direction) {

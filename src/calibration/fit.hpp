@@ -12,7 +12,7 @@
 
 namespace fiberfate {
 
-/// Says what to search for and how hard.
+/// What to search for and how hard.
 struct FitOptions {
   double level = 0.95;  ///< of confidence intervals
   int most_iterations = 200;
@@ -23,13 +23,13 @@ struct FitOptions {
   void check() const;
 };
 
-/// Holds an interval; an end that the data do not determine is infinite, one that cannot be told is NaN.
+/// An interval; an end that the data do not determine is infinite, one that cannot be told is NaN.
 struct ConfidenceInterval {
   double lower = 0;
   double upper = 0;
 };
 
-/// Says how a parameter came out.
+/// How a parameter came out.
 enum class ParameterOutcome {
   determined,
   fixed,
@@ -37,7 +37,7 @@ enum class ParameterOutcome {
   unidentifiable  ///< the data do not determine it
 };
 
-/// Holds the estimate of one parameter, SI.
+/// The estimate of one parameter, SI.
 struct ParameterEstimate {
   std::string name;
   std::string unit;
@@ -49,7 +49,7 @@ struct ParameterEstimate {
   ParameterOutcome outcome = ParameterOutcome::determined;
 };
 
-/// Names the kinds of what a user must know about a fit.
+/// What kinds of things a user must know about a fit.
 enum class FindingKind {
   exactly_determined,  ///< no degrees of freedom: the law passes through the data, which cannot test it
   unidentifiable,      ///< a combination of parameters that changes no prediction
@@ -60,13 +60,13 @@ enum class FindingKind {
   better_fit       ///< a profile that came below the fit
 };
 
-/// Holds one thing that a user must know about a fit, in a sentence.
+/// One thing that a user must know about a fit, in a sentence.
 struct Finding {
   FindingKind kind;
   std::string text;
 };
 
-/// Holds a fit. Matrices are of the free parameters, in their order.
+/// A fit. Matrices are of the free parameters, in their order.
 struct FitResult {
   std::vector<ParameterEstimate> parameters;  ///< all, fixed ones included
   std::vector<double> values;                 ///< of all parameters

@@ -27,7 +27,7 @@ struct FitParameter {
   ParameterRole role = ParameterRole::free;
 };
 
-/// Holds observations of one kind under one condition.
+/// Observations of one kind under one condition.
 struct FitSeries {
   std::string name;
   std::string unit = "1";
@@ -47,14 +47,14 @@ enum class NoiseScale {
 /// throw or write NaN where it cannot; the search then turns back.
 using FitModel = std::function<void(std::span<const double> parameters, std::span<double> predictions)>;
 
-/// Holds a complete problem of weighted least squares.
+/// A complete problem of weighted least squares.
 struct FitProblem {
   std::vector<FitParameter> parameters;
   std::vector<FitSeries> series;
   FitModel model;
   NoiseScale noise = NoiseScale::estimated;
 
-  /// Tells how many observations the series hold.
+  /// How many observations the series hold.
   [[nodiscard]] std::size_t observation_count() const;
   /// Gives the indices of the free parameters.
   [[nodiscard]] std::vector<std::size_t> free_parameters() const;
@@ -78,7 +78,7 @@ class FitCoordinates {
   [[nodiscard]] std::size_t parameter(std::size_t coordinate) const { return free_[coordinate]; }
   [[nodiscard]] double to_coordinate(std::size_t coordinate, double value) const;
   [[nodiscard]] double to_value(std::size_t coordinate, double position) const;
-  /// Tells d value/d position.
+  /// d value/d position.
   [[nodiscard]] double slope(std::size_t coordinate, double value) const;
   /// Writes the values at `positions` into `parameters`, which holds all parameters.
   void apply(std::span<const double> positions, std::span<double> parameters) const;

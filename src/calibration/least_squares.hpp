@@ -12,7 +12,7 @@ namespace fiberfate {
 /// Computes residuals at a position; returns false where it cannot.
 using ResidualFunction = std::function<bool(std::span<const double> position, std::span<double> residuals)>;
 
-/// Holds a problem in the coordinates of the search: all of size one or so.
+/// A problem in the coordinates of the search: all of size one or so.
 struct LeastSquares {
   ResidualFunction residuals;
   std::size_t residual_count = 0;
@@ -21,7 +21,7 @@ struct LeastSquares {
   int most_iterations = 200;
 };
 
-/// Holds where a search ended.
+/// Where a search ended.
 struct LeastSquaresMinimum {
   std::vector<double> position;
   double sum_of_squares = 0;

@@ -5,7 +5,7 @@
 
 namespace fiberfate {
 
-/// Holds the spline through points: two times continuously differentiable, without bend at the ends.
+/// The spline through points: two times continuously differentiable, without bend at the ends.
 class NaturalSpline {
  public:
   /// Takes at least two points, x rising; raises InputError otherwise.

@@ -1,4 +1,4 @@
-// Says how uncertain the predictions of a fitted model are.
+// The uncertainty of a fitted model's predictions.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds predictions with the band in which the model's true curve lies, and the wider one of a new
+/// Predictions with the band in which the model's true curve lies, and the wider one of a new
 /// observation.
 struct PredictionBand {
   std::vector<double> predicted;
@@ -18,7 +18,7 @@ struct PredictionBand {
       observation;  ///< prediction band: curve and noise of one observation together
 };
 
-/// Names what to predict: `count` numbers from all parameters (SI), each with the uncertainty that an
+/// What to predict: `count` numbers from all parameters (SI), each with the uncertainty that an
 /// observation of it would have (as FitSeries::uncertainty; its scale is that of the fit).
 struct PredictionRequest {
   FitModel model;

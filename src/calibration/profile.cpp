@@ -126,7 +126,7 @@ struct Walked {
   std::vector<double> best;  ///< position of the lowest point
 };
 
-/// Tells where the other parameters jump between neighbouring points: a search from the one side then ends
+/// Finds where the other parameters jump between neighbouring points: a search from the one side then ends
 /// higher than what the other side has.
 void find_jumps(const ProfileTask& task, const ProfileWalk& walk, Profile& result) {
   const FitCoordinates& coordinates = task.residuals.coordinates();

@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds the profile of one parameter: the least chi^2 with the parameter held, over its value.
+/// The profile of one parameter: the least chi^2 with the parameter held, over its value.
 struct Profile {
   ConfidenceInterval
       interval;      ///< infinite or at the parameter's bound where the profile stays below the limit

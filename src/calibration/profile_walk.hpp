@@ -9,13 +9,13 @@
 
 namespace fiberfate {
 
-/// Holds the least chi^2 found with the coordinate held, and where the other coordinates are then.
+/// The least chi^2 found with the coordinate held, and where the other coordinates are then.
 struct ProfilePoint {
   double chi_square = 0;
   std::vector<double> others;
 };
 
-/// Tells whether two searches at one value ended in different minima: chi^2 and positions both differ by more
+/// Whether two searches at one value ended in different minima: chi^2 and positions both differ by more
 /// than a search's precision.
 [[nodiscard]] bool are_distinct(const ProfilePoint& one, const ProfilePoint& other);
 
@@ -36,7 +36,7 @@ class ProfileWalk {
   double explore(double held);
   /// Begins again next to the best fit.
   void begin_at_best();
-  /// Tells whether searches from different places have ended in different minima anywhere.
+  /// Whether searches from different places have ended in different minima anywhere.
   [[nodiscard]] bool found_several() const { return found_several_; }
   /// Searches every point again from its neighbours' minima until none finds a lower one.
   void settle_branches();
@@ -45,7 +45,7 @@ class ProfileWalk {
   [[nodiscard]] double start() const { return best_[coordinate_]; }
   /// Gives the full position of a point.
   [[nodiscard]] std::vector<double> position(double held) const;
-  /// Tells the minimum that a search from `others` ends in, with the coordinate held.
+  /// The minimum that a search from `others` ends in, with the coordinate held.
   [[nodiscard]] ProfilePoint search(double held, const std::vector<double>& others) const;
 
  private:

@@ -7,12 +7,12 @@
 
 namespace fiberfate {
 
-/// Tells the average error of predictions, in per cent: the mean of |predicted - observed|/observed over all
+/// The average error of predictions, per cent: the mean of |predicted - observed|/observed over all
 /// observations that are not zero (thesis 4.7, 4.8); NaN when all are.
 [[nodiscard]] double average_error_percent(std::span<const double> observed,
                                            std::span<const double> predicted);
 
-/// Says which values to try; the other parameters stay at `values`.
+/// Which values to try; the other parameters stay at `values`.
 struct SweepRequest {
   std::size_t parameter = 0;
   double lower = 0;
@@ -21,10 +21,10 @@ struct SweepRequest {
   ParameterScale spacing = ParameterScale::logarithmic;
 };
 
-/// Tells the values of a request, rising. Raises InputError as `sweep`.
+/// The values of a request, rising. Raises InputError as `sweep`.
 [[nodiscard]] std::vector<double> swept_values(const SweepRequest& request);
 
-/// Holds a scan.
+/// A scan.
 struct Sweep {
   std::vector<double> values;
   std::vector<double> errors;                      ///< average error of all observations, %

@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds what turns a position into weighted residuals (predicted - observed)/uncertainty. It refers to the
+/// What turns a position into weighted residuals (predicted - observed)/uncertainty. It refers to the
 /// problem, which must live longer; parameters that are not free keep the values given here.
 class WeightedResiduals {
  public:

@@ -1,4 +1,4 @@
-// Names what every law of fiber attrition can do: start from a population and follow it through a flow.
+// What every law of fiber attrition can do: start from a population and follow it through a flow.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ enum class ClassWeight {
            ///< length
 };
 
-/// Holds how a population is followed.
+/// How a population is followed.
 struct LengthStart {
   LengthClasses initial;
   std::optional<MeanLengths> means = {};  ///< with LengthForm::means, instead of those of `initial`
@@ -60,7 +60,7 @@ class AttritionLaw {
   /// Starts following a population. Raises InputError when it cannot: an inadmissible population, or only
   /// mean lengths for a law that needs a distribution.
   [[nodiscard]] virtual std::unique_ptr<LengthEvolution> start(const LengthStart& start) const = 0;
-  /// Tells the length below which nothing breaks in this flow, m: L_inf, or L_ub.
+  /// The length below which nothing breaks in this flow, m: L_inf, or L_ub.
   [[nodiscard]] virtual double unbreakable_length(const LengthFlow& flow) const = 0;
   /// Gives k_f and L_inf, for solvers that transport lengths; null for laws of another form.
   [[nodiscard]] virtual const RelaxationLaw* relaxation() const { return nullptr; }

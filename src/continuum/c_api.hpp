@@ -58,7 +58,7 @@ void require_rows(std::size_t rows, std::size_t width);
 [[nodiscard]] OrientationModel model_of(const char* model, const char* closure,
                                         std::span<const fiberfate_constant> constants);
 
-/// Gathers the flow of n points; compressions of NULL mean 1 everywhere.
+/// The flow of n points; compressions of NULL mean 1 everywhere.
 [[nodiscard]] LengthFlows flows_of(std::size_t n, const double* shear_rates, const double* viscosities,
                                    const double* compressions);
 

@@ -11,7 +11,7 @@ enum class CouetteRate {
   mean,        ///< the exact rate, averaged over the volume of the gap
 };
 
-/// Holds a rheometer of two coaxial cylinders, the inner one turning.
+/// A rheometer of two coaxial cylinders, the inner one turning.
 struct CouetteRheometer {
   double inner_radius = 0;     ///< R_i, m
   double outer_radius = 0;     ///< R_o, m
@@ -19,7 +19,7 @@ struct CouetteRheometer {
   CouetteRate choice = CouetteRate::narrow_gap;
 };
 
-/// Tells the shear rate at a speed in revolutions per minute, 1/s. For a power-law melt without wall slip
+/// The shear rate at a speed in revolutions per minute, 1/s. For a power-law melt without wall slip
 ///   rate(r) = (2 omega/n) (R_i/r)^(2/n)/(1 - (R_i/R_o)^(2/n)),
 /// from a shear stress that falls with 1/r^2 (Bird, Armstrong, Hassager, Dynamics of Polymeric Liquids 1,
 /// 1987). Neglects end effects, secondary flow and viscous heating. Raises InputError unless 0 < R_i < R_o

@@ -42,10 +42,10 @@ typedef struct fiberfate_constant {
   double value;
 } fiberfate_constant;
 
-/* Tells the FIBERFATE_API_VERSION of the library in use. */
+/* The FIBERFATE_API_VERSION of the library in use. */
 int fiberfate_api_version(void);
 
-/* Tells what the last failing call of this thread complained of; "" when none failed. Valid until the next
+/* What the last failing call of this thread complained of; "" when none failed. Valid until the next
  * failure. */
 const char* fiberfate_error_text(void);
 

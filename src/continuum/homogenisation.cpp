@@ -13,7 +13,7 @@
 namespace fiberfate {
 namespace {
 
-/// Holds the two functions of the aspect ratio r that Eshelby's tensor is made of; G/2 is the depolarisation
+/// The two functions of the aspect ratio r that Eshelby's tensor is made of; G/2 is the depolarisation
 /// factor across the axis and H = (2 - 3 G)/(r² - 1).
 struct ShapeIntegrals {
   double g = 0, h = 0;

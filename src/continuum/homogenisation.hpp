@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Names the models of aligned fibers.
+/// The models of aligned fibers.
 enum class Homogenisation { halpin_tsai, mori_tanaka, lielens };
 
 /// Describes fiber and matrix.
@@ -30,13 +30,13 @@ struct HomogenisationDescription {
   Mat6 (*aligned_stiffness)(const CompositeMaterial& material, double aspect_ratio);
 };
 
-/// Tells all models.
+/// All models.
 [[nodiscard]] std::span<const HomogenisationDescription> homogenisations();
 [[nodiscard]] const char* name(Homogenisation model);
 /// Finds a model by name; raises InputError with the nearest name.
 [[nodiscard]] Homogenisation homogenisation_named(std::string_view name);
 
-/// Holds the properties of a composite: C in Pa, thermal stress beta = C : alpha in Pa/K.
+/// The properties of a composite: C in Pa, thermal stress beta = C : alpha in Pa/K.
 struct ThermoelasticProperties {
   Mat6 stiffness = Mat6::Zero();
   Mat3 thermal_stress = Mat3::Zero();
@@ -57,7 +57,7 @@ struct ThermoelasticProperties {
 [[nodiscard]] ThermoelasticProperties aligned_composite(const CompositeMaterial& material,
                                                         double aspect_ratio, Homogenisation model);
 
-/// Holds a class of fibers of one length.
+/// A class of fibers of one length.
 struct AspectRatioClass {
   double aspect_ratio = 0;
   double volume_share = 0;  ///< of the fibers' volume, any scale: N_i L_i for one diameter

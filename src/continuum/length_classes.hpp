@@ -1,4 +1,4 @@
-// Holds a population of fibers as classes of equal length, and tells its averages and its histogram.
+// A population of fibers as classes of equal length, its averages and its histogram.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds how many fibers have which length; arrays of equal size, in any order, numbers not negative.
+/// How many fibers have which length; arrays of equal size, in any order, numbers not negative.
 struct LengthClasses {
   std::vector<double> lengths;  ///< m, positive
   std::vector<double> numbers;  ///< fibers, or anything proportional to them
@@ -28,7 +28,7 @@ struct LengthClasses {
   return mean_lengths(classes.lengths, classes.numbers);
 }
 
-/// Tells the fiber length of a population, sum n L, which no breakage changes.
+/// The fiber length of a population, sum n L, which no breakage changes.
 [[nodiscard]] double total_length(const LengthClasses& classes);
 
 /// Counts the fibers between each two consecutive edges (m, increasing); a fiber at an edge counts above it,

@@ -1,4 +1,4 @@
-// Says what a length law sees of the flow at a point, or at many points at once.
+// What a length law sees of the flow at a point, or at many points at once.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace fiberfate {
 
-/// Holds the flow that breaks fibers at one point.
+/// The flow that breaks fibers at one point.
 struct LengthFlow {
   double rate = 0;       ///< shear rate sqrt(2 D:D), 1/s, not negative
   double viscosity = 0;  ///< of the matrix at this rate, Pa s, not negative
@@ -17,7 +17,7 @@ struct LengthFlow {
   void check() const;
 };
 
-/// Holds the same for n points, one array a quantity; `compression` may be empty, which means 1 everywhere.
+/// The same for n points, one array a quantity; `compression` may be empty, which means 1 everywhere.
 struct LengthFlows {
   std::span<const double> rate;
   std::span<const double> viscosity;

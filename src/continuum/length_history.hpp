@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds one row of a history.
+/// One row of a history.
 struct LengthHistoryRow {
   double time = 0;         ///< s
   double rate = 0;         ///< shear rate, 1/s
@@ -22,13 +22,13 @@ enum class HistoryForm {
   ramps,  ///< rate, temperature and pressure change linearly between rows; the last row holds for ever
 };
 
-/// Holds a flow that is constant for `duration`.
+/// A flow that is constant for `duration`.
 struct LengthHistoryPart {
   double duration = 0;  ///< s
   MeltState melt;
 };
 
-/// Holds a history of rate, temperature and pressure as rows of rising time.
+/// A history of rate, temperature and pressure as rows of rising time.
 class LengthHistory {
  public:
   /// Raises InputError unless there is a row, times rise from 0 on, rates and pressures are not negative, and
@@ -37,7 +37,7 @@ class LengthHistory {
   /// Makes a history that never changes.
   static LengthHistory constant(const MeltState& melt);
 
-  /// Tells rate, temperature and pressure at a time.
+  /// Rate, temperature and pressure at a time.
   [[nodiscard]] MeltState at(double time) const;
   /// Cuts the time from `begin` to `end` into parts of constant state. Steps are exact. A ramp is cut into
   /// parts of at most a hundredth of its length that take the state at their middle: second order, error

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds where fibers break: the flow over time, the melt, and how orientation shields the fibers.
+/// Where fibers break: the flow over time, the melt, and how orientation shields the fibers.
 struct LengthConditions {
   const LengthHistory& history;
   const ViscosityLaw& viscosity;

@@ -9,13 +9,13 @@
 
 namespace fiberfate {
 
-/// Holds the coefficients of DL/Dt = -k_f max(0, L - L_inf) at a point (thesis 4.5).
+/// The coefficients of DL/Dt = -k_f max(0, L - L_inf) at a point (thesis 4.5).
 struct LengthRelaxation {
   double rate_constant = 0;       ///< k_f, 1/s, not negative
   double equilibrium_length = 0;  ///< L_inf, m; infinite where nothing breaks
 };
 
-/// Tells the length after `duration` s of constant flow, exactly: L_inf + (L - L_inf) exp(-k_f t)
+/// The length after `duration` s of constant flow, exactly: L_inf + (L - L_inf) exp(-k_f t)
 /// (thesis 5.7). A fiber that is already at or below L_inf keeps its length. The result neither exceeds
 /// `length` nor undershoots L_inf, round-off included. Raises InputError for a length or duration that is
 /// negative or not finite.

@@ -10,13 +10,13 @@
 
 namespace fiberfate {
 
-/// Holds a velocity gradient that acts until `end_time`.
+/// A velocity gradient that acts until `end_time`.
 struct GradientInterval {
   double end_time = 0;           ///< s
   Mat3 gradient = Mat3::Zero();  ///< L_ij = d v_i / d x_j, 1/s
 };
 
-/// Holds a velocity gradient that is constant in each of consecutive intervals; the last lasts for ever.
+/// A velocity gradient that is constant in each of consecutive intervals; the last lasts for ever.
 class GradientHistory {
  public:
   /// Takes intervals of strictly rising end times; raises InputError for none, for times that do not rise
@@ -30,9 +30,9 @@ class GradientHistory {
   static GradientHistory interpolated(const std::vector<double>& times, const std::vector<Mat3>& gradients,
                                       int pieces);
 
-  /// Tells the gradient on [time, next_change(time)).
+  /// The gradient on [time, next_change(time)).
   [[nodiscard]] const Mat3& at(double time) const;
-  /// Tells the first time after `time` at which the gradient changes; infinity when it never does.
+  /// The first time after `time` at which the gradient changes; infinity when it never does.
   [[nodiscard]] double next_change(double time) const;
 
  private:
@@ -40,13 +40,13 @@ class GradientHistory {
   std::vector<GradientInterval> intervals_;
 };
 
-/// Names frequent gradients of unit rate sqrt(2 D:D) = 1 1/s; multiply by the rate.
+/// Frequent gradients of unit rate sqrt(2 D:D) = 1 1/s; multiply by the rate.
 [[nodiscard]] Mat3 simple_shear_gradient();         ///< v_1 = x_3
 [[nodiscard]] Mat3 planar_elongation_gradient();    ///< diag(1, 0, -1)/2
 [[nodiscard]] Mat3 uniaxial_elongation_gradient();  ///< diag(2, -1, -1)/(2 sqrt 3)
 [[nodiscard]] Mat3 biaxial_elongation_gradient();   ///< the opposite
 
-/// Holds one state of the history.
+/// One state of the history.
 struct OrientationState {
   double time = 0;  ///< s
   Mat3 second = Mat3::Identity() / 3;

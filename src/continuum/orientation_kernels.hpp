@@ -1,4 +1,4 @@
-// Declares the orientation kernels of each instruction set.
+// The orientation kernels of each instruction set.
 #pragma once
 
 #include "base/kernels.hpp"
@@ -9,7 +9,7 @@ namespace fiberfate {
 /// Writes DA/Dt of every point to `result`.
 FIBERFATE_DECLARE_KERNEL(void evaluate_orientation(const OrientationModel& model,
                                                    const OrientationPoints& points))
-/// Tells the first point whose state or velocity gradient no law takes: not finite, or further than
+/// The first point whose state or velocity gradient no law takes: not finite, or further than
 /// `forgiven` from a state of unit trace without negative principal value; as many as there are when there is
 /// none.
 FIBERFATE_DECLARE_KERNEL(std::size_t find_orientation_fault(const OrientationPoints& points, double forgiven))

@@ -50,7 +50,7 @@ class OrientationLaw {
 /// Rotary diffusion tensor C (without the rate) at one state; its trace over 3 is the equivalent C_I.
 [[nodiscard]] Mat3 rotary_diffusion(const OrientationModel& model, const Mat3& second, const Mat3& gradient);
 
-/// Says what is questionable about a law in a flow at a state: an indefinite diffusion tensor (as iARD's in
+/// What is questionable about a law in a flow at a state: an indefinite diffusion tensor (as iARD's in
 /// uniaxial flow for C_M > 3/4, for which no distribution function exists), a potential above 8 C_I. Empty
 /// when nothing is.
 [[nodiscard]] std::vector<std::string> doubts(const OrientationModel& model, const Mat3& second,

@@ -1,11 +1,11 @@
-// Names the choices and constants of an orientation law: rotary diffusion, retardation, closure.
+// The choices and constants of an orientation law: rotary diffusion, retardation, closure.
 #pragma once
 
 #include "microstructure/closure_kind.hpp"
 
 namespace fiberfate {
 
-/// Names the rotary diffusion tensors C; rate·C is the diffusivity of directions on the sphere.
+/// The rotary diffusion tensors C; rate·C is the diffusivity of directions on the sphere.
 enum class RotaryDiffusion {
   none,           ///< Jeffery: C = 0
   folgar_tucker,  ///< C_I I
@@ -16,7 +16,7 @@ enum class RotaryDiffusion {
   wpt             ///< b1 I + b3 A²
 };
 
-/// Names the ways in which the orientation is slower than the theory of dilute suspensions.
+/// The ways in which the orientation is slower than the theory of dilute suspensions.
 enum class Retardation {
   none,
   rsc,  ///< reduced strain closure: the rates of the principal values times kappa
@@ -24,12 +24,12 @@ enum class Retardation {
   srf   ///< strain reduction factor: the whole rate times srf; not objective
 };
 
-/// Tells whether a retardation takes the rates of the principal values apart from the turning of the axes.
+/// Whether a retardation takes the rates of the principal values apart from the turning of the axes.
 [[nodiscard]] inline bool acts_on_principal_values(Retardation retardation) {
   return retardation == Retardation::rsc || retardation == Retardation::rpr;
 }
 
-/// Holds the constants of all laws; each law reads its own.
+/// The constants of all laws; each law reads its own.
 struct OrientationConstants {
   double xi = 1;     ///< shape factor (r²-1)/(r²+1), r the aspect ratio; 1 for slender fibers
   double c_i = 0;    ///< interaction coefficient C_I
@@ -50,7 +50,7 @@ struct OrientationConstants {
   double u0 = 0;     ///< Maier-Saupe potential U_0, with every diffusion
 };
 
-/// Gathers the choices that make an orientation law.
+/// The choices that make an orientation law.
 struct OrientationModel {
   RotaryDiffusion diffusion = RotaryDiffusion::none;
   Retardation retardation = Retardation::none;

@@ -20,14 +20,14 @@ struct OrientationPoints {
   std::size_t result_stride = 1;
 };
 
-/// Says how far and how finely to integrate.
+/// How far and how finely to integrate.
 struct OrientationStep {
   double duration = 0;      ///< s, constant velocity gradient
   double tolerance = 1e-6;  ///< Frobenius norm of the error of A2 in one internal step
   int most_steps = 100000;  ///< internal steps of a point
 };
 
-/// Tells what happened in a step.
+/// What happened in a step.
 struct OrientationAdvance {
   std::size_t put_back = 0;  ///< points that left the admissible states by more than the tolerance, and were
                              ///< put back

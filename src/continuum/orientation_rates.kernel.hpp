@@ -70,7 +70,7 @@ FIBERFATE_INLINE double step_factor(double error, double tolerance) {
   return factor > 0.2 ? factor : 0.2;
 }
 
-/// Says where a state and its flow are what a law takes. All invariants of A + forgiven I are positive
+/// Where a state and its flow are what a law takes. All invariants of A + forgiven I are positive
 /// exactly where no principal value is below -forgiven; comparisons with NaN are false.
 FIBERFATE_INLINE Mask sound(const Eight& eight, double forgiven) {
   const Symmetric& a = eight.second;

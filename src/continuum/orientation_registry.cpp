@@ -35,7 +35,7 @@ bool same_symbol(std::string_view left, std::string_view right) {
   return plain(left) == plain(right);
 }
 
-/// Names the constants that a model reads.
+/// The constants that a model reads.
 std::vector<std::string> constants_of(const OrientationModel& model) {
   std::vector<std::string> names = {"xi", "U0"};
   for (const auto& one : description(rotary_diffusions(), model.diffusion).constants) names.push_back(one);

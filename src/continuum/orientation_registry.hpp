@@ -28,14 +28,14 @@ struct OrientationChoice {
   std::vector<std::string> constants;
 };
 
-/// Names a combination as the literature does, "iard_rpr".
+/// A combination as the literature names it, "iard_rpr".
 struct NamedOrientationModel {
   std::string name;
   RotaryDiffusion diffusion;
   Retardation retardation;
 };
 
-/// Tells every constant. To add a diffusion or a retardation: its enumerator (orientation_model.hpp), its
+/// Every constant. To add a diffusion or a retardation: its enumerator (orientation_model.hpp), its
 /// formula in the compiled kernel (orientation_pack.hpp) and, for a diffusion, in rotary_diffusion, a row
 /// here, a test (docs/develop/adding_a_point_law.md).
 [[nodiscard]] const std::vector<OrientationConstant>& orientation_constants();

@@ -160,7 +160,7 @@ std::string words_for(const Mat3& a) {
   return fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", a(0, 0), a(1, 1), a(2, 2));
 }
 
-/// Gathers what the starts came to.
+/// What the starts came to.
 struct Found {
   std::vector<Vec5> stable;
   std::string fault;  ///< of a state that is not stable

@@ -6,7 +6,7 @@
 
 namespace fiberfate {
 
-/// Holds a steady state and how it is approached.
+/// A steady state and how it is approached.
 struct SteadyOrientation {
   Mat3 second = Mat3::Zero();
   double decay_rate = 0;  ///< by which the slowest disturbance dies out, exp(-decay_rate t), 1/s

@@ -15,7 +15,7 @@ enum class BreakageRate {
   durin,   ///< P = C_B rate min(1, (1 - exp(-B))/(1 - exp(-1))): some break below L_ub, all that can above it
 };
 
-/// Holds the constants of the model.
+/// The constants of the model.
 struct PhelpsConstants {
   double breakage_coefficient = 0;  ///< C_B, 1
   double drag_coefficient = 0;      ///< zeta, 1
@@ -26,18 +26,18 @@ struct PhelpsConstants {
   BreakageRate breakage_rate = BreakageRate::phelps;
 };
 
-/// Tells the unbreakable length L_ub = (pi^3 E_f d_f^4/(4 zeta eta rate))^(1/4), m: the length at which the
+/// The unbreakable length L_ub = (pi^3 E_f d_f^4/(4 zeta eta rate))^(1/4), m: the length at which the
 /// drag on a fiber in the most compressed direction of the flow equals its Euler buckling load. Infinite
 /// without flow. Raises InputError for an impossible flow. Source: Phelps, Abd El-Rahman, Kunc, Tucker, "A
 /// model for fiber length attrition in injection-molded long-fiber composites", Composites A 51 (2013) 11;
 /// thesis (2.7), (2.8).
 [[nodiscard]] double unbreakable_length(const PhelpsConstants& constants, const LengthFlow& flow);
 
-/// Tells 1/L_ub^4, 1/m^4, times the compression, which is what the rates below are computed from: 0 without
+/// 1/L_ub^4, 1/m^4, times the compression, which is what the rates below are computed from: 0 without
 /// flow.
 [[nodiscard]] double buckling_coefficient(const PhelpsConstants& constants, const LengthFlow& flow);
 
-/// Tells P/(C_B rate) in [0, 1] of a fiber whose buckling number is B (see BreakageRate).
+/// P/(C_B rate) in [0, 1] of a fiber whose buckling number is B (see BreakageRate).
 [[nodiscard]] double breakage_share(BreakageRate breakage_rate, double buckling_number);
 
 /// More bins than these gain nothing: their matrix of children (half of bins² numbers) would take gigabytes.
@@ -50,7 +50,7 @@ void fill_children(std::size_t parent_bins, double spread, std::span<double> chi
 /// a spread S below 0.005.
 void require_child_bins(std::size_t bins, double spread);
 
-/// Tells the mean number of children of each length that a broken fiber leaves: element [i-1 + (k-1) bins] is
+/// The mean number of children of each length that a broken fiber leaves: element [i-1 + (k-1) bins] is
 /// that of length i, in bins, from a parent of length k. A Gaussian of standard deviation S k around k/2, cut
 /// at 1 and k-1 and scaled so that two children, and the parent's whole length, result. A fiber of length 1
 /// cannot break: its column is zero. Column-major, bins x bins, strictly upper triangular. Raises InputError

@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds eight points that advance together. Arrays are [bin][8] and aligned to 64 bytes unless said
+/// Eight points that advance together. Arrays are [bin][8] and aligned to 64 bytes unless said
 /// otherwise; bins are counted from 0 and `padded_bins` is the next multiple of 4. Rows beyond `bins` are
 /// zero.
 ///

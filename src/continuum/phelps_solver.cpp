@@ -53,7 +53,7 @@ void advance_phelps(const PhelpsBlock& block) {
   return FIBERFATE_KERNEL(advance_phelps)(block);
 }
 
-/// Tells after how many terms the Poisson weights of this exposure leave less than the tolerance.
+/// How many terms leave less than the tolerance of the Poisson weights of this exposure.
 std::size_t terms_for(double exposure) {
   double weight = std::exp(-exposure);
   double rest = -std::expm1(-exposure);
@@ -173,7 +173,7 @@ struct PhelpsSolver::Scratch {
     }
   }
 
-  /// Tells whether any fiber that can break is left.
+  /// Whether any fiber that can break is left.
   [[nodiscard]] bool can_break() {
     for (std::size_t i = first_row * lanes; i < share.size(); ++i)
       if (share[i] > 0 && numbers[i] > 0) return true;

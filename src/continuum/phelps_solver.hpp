@@ -19,9 +19,9 @@ struct LengthBins {
   /// Raises InputError unless there are 2 to most_bins bins and a length.
   void check() const;
   [[nodiscard]] double width() const { return largest_length / static_cast<double>(bins); }
-  /// Tells the length of the bin with this index, counted from 0, m.
+  /// The length of the bin with this index, counted from 0, m.
   [[nodiscard]] double length(std::size_t index) const { return width() * static_cast<double>(index + 1); }
-  /// Tells the lengths of all bins, m.
+  /// The lengths of all bins, m.
   [[nodiscard]] std::vector<double> lengths() const;
 };
 
@@ -43,7 +43,7 @@ class PhelpsSolver {
   /// LengthBins::check.
   PhelpsSolver(const PhelpsConstants& constants, const LengthBins& bins);
 
-  /// Tells the memory that a solver of so many bins takes, and each thread that uses it, in bytes.
+  /// The memory that a solver of so many bins takes, and each thread that uses it, bytes.
   [[nodiscard]] static double memory_bytes(std::size_t bins);
   [[nodiscard]] static double scratch_bytes(std::size_t bins);
 
@@ -58,7 +58,7 @@ class PhelpsSolver {
   /// Advances one point.
   void advance(const LengthFlow& flow, double duration, std::span<double> numbers) const;
 
-  /// Tells the breakage rate P of every bin, 1/s.
+  /// The breakage rate P of every bin, 1/s.
   [[nodiscard]] std::vector<double> breakage_rates(const LengthFlow& flow) const;
   /// Writes the breakage rates of n points, [bin][point] as the numbers, 1/s; nothing is allocated.
   void breakage_rates(const LengthFlows& flows, std::span<double> rates) const;

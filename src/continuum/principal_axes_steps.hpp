@@ -52,7 +52,7 @@ class PrincipalAxesSteps {
   std::int64_t accepted_ = 0, rejected_ = 0, put_back_ = 0;
 };
 
-/// Tells the law without its retardation: RSC and RPR (beta = 0) leave its steady states as they are.
+/// The law without its retardation: RSC and RPR (beta = 0) leave its steady states as they are.
 [[nodiscard]] OrientationModel unretarded(const OrientationModel& model);
 
 }  // namespace fiberfate

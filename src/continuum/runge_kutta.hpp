@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Says how finely to integrate.
+/// How finely to integrate.
 struct IntegrationTolerance {
   double absolute = 1e-8;             ///< in the units of the state
   double relative = 1e-8;             ///< of the state's norm

@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds operators on the real orthonormal harmonics of degree 0, 2, …, `degree`, ordered by degree l and
+/// Operators on the real orthonormal harmonics of degree 0, 2, …, `degree`, ordered by degree l and
 /// within it by m = -l … l: m > 0 goes with cos(m phi), m < 0 with sin(|m| phi).
 struct HarmonicOperators {
   std::array<Eigen::SparseMatrix<double>, 3> rotation;  ///< R = p × grad

@@ -6,13 +6,13 @@
 
 namespace fiberfate {
 
-/// Holds the constants of an isotropic elastic material.
+/// The constants of an isotropic elastic material.
 struct IsotropicElasticity {
   double modulus = 0;  ///< Young's modulus E, Pa
   double poisson = 0;  ///< Poisson's ratio nu, -1 to 1/2
 };
 
-/// Holds the constants of an orthotropic material along its axes: E_1, E_2, E_3, G_23, G_31, G_12 in Pa, and
+/// The constants of an orthotropic material along its axes: E_1, E_2, E_3, G_23, G_31, G_12 in Pa, and
 /// nu_23, nu_31, nu_12 with nu_ij = -strain_j/strain_i under stress along i.
 struct EngineeringConstants {
   double e1 = 0, e2 = 0, e3 = 0;
@@ -26,7 +26,7 @@ struct EngineeringConstants {
 /// Makes the stiffness of an orthotropic material, Pa. Its energy may turn out negative (stores_energy
 /// tells): Halpin and Tsai's constants, which are independent of each other, do not rule that out.
 [[nodiscard]] Mat6 orthotropic_stiffness(const EngineeringConstants& constants);
-/// Tells whether every strain stores energy, as in any real material.
+/// Whether every strain stores energy, as in any real material.
 [[nodiscard]] bool stores_energy(const Mat6& stiffness);
 /// Reads the engineering constants along the axes 1, 2, 3 from a stiffness; couplings of shear are ignored.
 [[nodiscard]] EngineeringConstants engineering_constants(const Mat6& stiffness);

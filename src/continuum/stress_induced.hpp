@@ -39,14 +39,14 @@ struct StressInduced {
   LengthRelaxation operator()(const LengthFlow& flow) const;
 };
 
-/// Holds what a rheometer run at one speed determines: the decay of the length towards its final value.
+/// What a rheometer run at one speed determines: the decay of the length towards its final value.
 struct SteadyAttrition {
   double rate;                  ///< 1/s
   double viscosity;             ///< Pa s
   LengthRelaxation relaxation;  ///< measured k_f and L_inf
 };
 
-/// Tells lambda = (L_inf/d_f) (eta rate/sigma_u)^alpha for one run (thesis 5.1, 5.2 with alpha = 1/2; the
+/// lambda = (L_inf/d_f) (eta rate/sigma_u)^alpha for one run (thesis 5.1, 5.2 with alpha = 1/2; the
 /// logarithm printed there was not applied in the thesis' own numbers).
 [[nodiscard]] double interaction_coefficient(const SteadyAttrition& run, double alpha, double strength,
                                              double diameter);
@@ -58,7 +58,7 @@ struct SteadyAttrition {
 [[nodiscard]] StressInduced solve_stress_induced(const std::array<SteadyAttrition, 2>& runs, double strength,
                                                  double diameter);
 
-/// Tells the exponent of k_f = xi rate^beta through two runs at different rates (thesis 5.15); raises as
+/// The exponent of k_f = xi rate^beta through two runs at different rates (thesis 5.15); raises as
 /// above.
 [[nodiscard]] double rate_exponent(const std::array<SteadyAttrition, 2>& runs);
 

@@ -20,7 +20,7 @@ class ViscosityLaw {
   ViscosityLaw& operator=(const ViscosityLaw&) = delete;
   virtual ~ViscosityLaw() = default;
 
-  /// Tells the viscosity, Pa s. Raises InputError for a state that no melt has (a negative rate, NaN,
+  /// The viscosity, Pa s. Raises InputError for a state that no melt has (a negative rate, NaN,
   /// Cross-WLF without temperature), as `evaluate` does.
   [[nodiscard]] virtual double at(const MeltState& melt) const = 0;
   /// Evaluates n states; `temperatures` (K) and `pressures` (Pa) are used by Cross-WLF only and may be empty

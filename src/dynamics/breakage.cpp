@@ -6,13 +6,13 @@
 namespace fiberfate {
 namespace {
 
-/// Holds the sharpest hinge of a fiber that is to break.
+/// The sharpest hinge of a fiber that is to break.
 struct Worst {
   Index node = -1;
   double radius = 0;
 };
 
-/// Tells whether a hinge breaks at the state's present check.
+/// Whether a hinge breaks at the state's present check.
 class HingeCheck {
  public:
   HingeCheck(const FiberState& state, const DynamicsParameters& parameters)

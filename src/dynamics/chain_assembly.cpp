@@ -16,7 +16,7 @@ void assemble_chains(const AssemblyQuery& query, const ChainGroup& group) {
   return FIBERFATE_KERNEL(assemble_chains)(query, group);
 }
 
-/// Holds the loads of a rod as they are added to the records of its two nodes.
+/// The loads of a rod as they are added to the records of its two nodes.
 struct LanePlace {
   double* near;  ///< record of the rod's first node, in the fiber's lane
   double* far;

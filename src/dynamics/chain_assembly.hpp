@@ -9,7 +9,7 @@ struct ChainProblem;
 class ChainSystem;
 class Hinge;
 
-/// Names eight fibers that are solved side by side, with what their lanes need. Plain numbers, because
+/// Eight fibers that are solved side by side, with what their lanes need. Plain numbers, because
 /// kernels of several instruction sets share it. A lane without a fiber repeats lane 0, of which it uses
 /// nothing.
 struct ChainGroup {
@@ -33,7 +33,7 @@ enum RodNumber {
   rod_numbers
 };
 
-/// Tells where a number of the k-th rods begins. Always inlined, because kernels of several instruction sets
+/// Where a number of the k-th rods begins. Always inlined, because kernels of several instruction sets
 /// call it.
 [[gnu::always_inline]] static inline long offset_of(RodNumber number, int k) {
   return (static_cast<long>(k) * rod_numbers + number) * 8;
@@ -54,7 +54,7 @@ struct AssemblyQuery {
   const double* hinge_constants;
 };
 
-/// Names what is assembled: eight fibers, their rods' numbers (RodNumber), and how they resist.
+/// What is assembled: eight fibers, their rods' numbers (RodNumber), and how they resist.
 struct ChainFibers {
   const ChainGroup& group;
   const double* rods;

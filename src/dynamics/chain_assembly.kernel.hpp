@@ -65,7 +65,7 @@ FIBERFATE_INLINE Pack rod_number(const AssemblyQuery& query, RodNumber number, i
   return load(query.rods + offset_of(number, k));
 }
 
-/// Holds what a rod adds to the records of its two nodes.
+/// What a rod adds to the records of its two nodes.
 struct RodPart {
   Pack diagonal, coupling, excess, stretch, regular;
   Triple direction, couple;
@@ -133,7 +133,7 @@ FIBERFATE_INLINE void add_excess(double* record, const RodPart& before, const Ro
   add_dyad_to_coupling(record, after.excess, after.direction);
 }
 
-/// Holds three nodes in a row, and the inverse lengths of the rods between them.
+/// Three nodes in a row, and the inverse lengths of the rods between them.
 struct Bend {
   Triple x[3];
   Pack inverse_length[2];

@@ -30,7 +30,7 @@ struct ChainProblem {
   std::span<const Vec3> pair_velocity = {};  ///< ... these velocities w, m/s
 };
 
-/// Names the laws by which fibers resist.
+/// The laws by which fibers resist.
 struct ChainLaws {
   std::string drag = "beads";     ///< a row of drag_laws()
   std::string hinge = "elastic";  ///< a row of hinge_laws()

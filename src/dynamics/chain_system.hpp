@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds, for eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
+/// For eight fibers (lanes) with up to `nodes` nodes, the symmetric system in node velocities w and
 /// tensions:
 ///   diagonal_k w_k + coupling_{k−1}ᵀ w_{k−1} + coupling_k w_{k+1} + second_{k−2} w_{k−2} + second_k w_{k+2}
 ///       − p_k λ_k + p_{k−1} λ_{k−1} = load_k

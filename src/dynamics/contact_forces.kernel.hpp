@@ -28,13 +28,13 @@ FIBERFATE_INLINE Law law_of_pairs(const ContactArrays& contacts, const ForceQuer
   return law;
 }
 
-/// Holds how each lane's rod moves at its place s: the velocity relative to the fluid, and what its turning
+/// How each lane's rod moves at its place s: the velocity relative to the fluid, and what its turning
 /// adds there, in the direction n away from the axis and for each unit of distance; and how the rod lies.
 struct SkinMotion {
   Triple velocity, turning, direction;
 };
 
-/// Holds the forces of eight contacts, as PairForce has them.
+/// The forces of eight contacts, as PairForce has them.
 struct ForcePack {
   Triple force, normal;
   Pack s, t, distance, along, across;

@@ -15,7 +15,7 @@
 
 namespace fiberfate {
 
-/// Holds what the loads of a step are linearised about.
+/// What the loads of a step are linearised about.
 struct LoadContext {
   std::span<const Vec3> position;           ///< of the nodes, m
   std::span<const Vec3> relative_velocity;  ///< w of the last solve, one a node, m/s

@@ -54,7 +54,7 @@ class ChunkSearch {
     if (state_.materials.size() > 1) name_materials(contacts, before);
   }
 
-  /// Tells whether a special pair is a contact; axes that cross get their normal for separation.
+  /// Decides whether a special pair is a contact; axes that cross get their normal for separation.
   [[nodiscard]] bool settle(int i) {
     const Index first = block_.first[i];
     const Index second = block_.second[i];

@@ -1,4 +1,4 @@
-// Holds the contacts of rods side by side, so that their forces can be evaluated in packs.
+// The contacts of rods side by side, so that their forces can be evaluated in packs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds one contact of two rods.
+/// One contact of two rods.
 struct Contact {
   Index first = 0;
   Index second = 0;
@@ -22,7 +22,7 @@ struct Contact {
   std::uint16_t second_material = 0;
 };
 
-/// Holds contacts as struct of arrays; every array has room for seven more than `count`.
+/// Contacts as a struct of arrays; every array has room for seven more than `count`.
 struct ContactChunk {
   int count = 0;
   std::vector<Index> first, second;
@@ -39,7 +39,7 @@ struct ContactChunk {
   [[nodiscard]] Contact at(int i) const;
 };
 
-/// Holds all contacts in chunks, each of which one thread works on at a time.
+/// All contacts in chunks, each of which one thread works on at a time.
 using ContactSet = std::vector<ContactChunk>;
 
 }  // namespace fiberfate

@@ -1,4 +1,4 @@
-// Holds the forces of contacts, each once for the two rods that it acts on.
+// The forces of contacts, each once for the two rods that it acts on.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds the force of one contact, linearised about the velocities w_old with which it was evaluated, each
+/// The force of one contact, linearised about the velocities w_old with which it was evaluated, each
 /// side in its own velocity: at x_1 = (1 − s) x_i + s x_{i+1} of the first rod act
 ///   force − R (w − w_old),   R = along n nᵀ + across (I − n nᵀ)
 /// and at x_2 of the second, place t, −force − R (w − w_old). Both rods also get the couple −(d/2) n × force,
@@ -29,10 +29,10 @@ struct PairForce {
   double across;     ///< N s/m
 };
 
-/// Holds the forces of all contacts, and for every rod its shares of them.
+/// The forces of all contacts, and for every rod its shares of them.
 class PairForces {
  public:
-  /// Names what one rod has of a force.
+  /// What one rod has of a force.
   struct Share {
     std::int64_t key;  ///< orders the shares of a rod: who exerts it (rod, then image seen from this one)
     Index number;      ///< 2 × force, + 1 on the force's second rod
@@ -52,7 +52,7 @@ class PairForces {
   }
 
  private:
-  /// Holds consecutive chunks of contacts.
+  /// Consecutive chunks of contacts.
   struct Chunks {
     std::size_t begin, end;
   };

@@ -10,19 +10,19 @@ namespace {
 
 #define FIBERFATE_INLINE static inline __attribute__((always_inline))
 
-/// Holds the records of a rod's two nodes.
+/// The records of a rod's two nodes.
 struct Records {
   double* near;
   double* far;
 };
 
-/// Holds eight rods and the velocities about which forces are linearised.
+/// Eight rods and the velocities about which forces are linearised.
 struct Rods {
   Pack inverse_length;
   Triple p, velocity, change;
 };
 
-/// Holds the shares of one slot: force on the rod at rest, sign + on a force's first rod.
+/// The shares of one slot: force on the rod at rest, sign + on a force's first rod.
 struct Shares {
   Triple force, normal;
   Pack sign, place, distance, along, across;

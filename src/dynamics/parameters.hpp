@@ -9,10 +9,10 @@
 
 namespace fiberfate {
 
-/// Says who chooses the time step.
+/// Who chooses the time step.
 enum class StepControl { fixed, adaptive };
 
-/// Holds how time is stepped.
+/// How time is stepped.
 struct StepParameters {
   StepControl control = StepControl::adaptive;
   double initial = 1e-5;     ///< first step of `adaptive`, every step of `fixed`, s
@@ -22,7 +22,7 @@ struct StepParameters {
   double maximum_strain = 0.05;  ///< most strain of the flow in one step of `adaptive`
 };
 
-/// Holds all choices about the motion of fibers (physics: docs/theory/particles.md).
+/// All choices about the motion of fibers (physics: docs/theory/particles.md).
 struct DynamicsParameters {
   std::string drag = "beads";     ///< law of drag: a row of drag_laws()
   std::string hinge = "elastic";  ///< law of bending: a row of hinge_laws()

@@ -19,13 +19,13 @@ struct RodLoad {
   std::array<double, 6> resistance = {};  ///< N s/m
 };
 
-/// Holds all loads, grouped by rod (a rod is numbered by its first node), in a fixed order.
+/// All loads, grouped by rod (a rod is numbered by its first node), in a fixed order.
 class RodLoads {
  public:
-  /// Holds no load on any rod of a state with `nodes` nodes.
+  /// No load on any rod of a state with `nodes` nodes.
   explicit RodLoads(Index nodes = 0) : begin_(static_cast<std::size_t>(nodes) + 1, 0) {}
 
-  /// Names a load before its value is known: the rod, and a key that fixes its place among the rod's loads.
+  /// A load before its value is known: the rod, and a key that fixes its place among the rod's loads.
   struct Claim {
     Index rod = 0;
     std::uint64_t key = 0;

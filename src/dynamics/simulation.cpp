@@ -50,7 +50,7 @@ ContactGap<double> gap_of(const FiberState& state, const Contact& contact) {
 
 }  // namespace
 
-/// Holds parameters, state and scratch apart.
+/// Parameters, state and scratch, apart.
 struct Simulation::Parts {
   Parts(const DynamicsParameters& chosen, FlowHistory history, FiberState begin)
       : parameters(chosen),

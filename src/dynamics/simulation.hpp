@@ -12,7 +12,7 @@
 
 namespace fiberfate {
 
-/// Names what held the size of a step down.
+/// What held the size of a step down.
 enum class StepLimit { control, tolerance, strain, maximum, event };
 [[nodiscard]] const char* name(StepLimit limit);
 
@@ -25,7 +25,7 @@ struct ContactStatistics {
   double largest_force = 0;       ///< N
 };
 
-/// Tells what one call of advance() did.
+/// What one call of advance() did.
 struct StepReport {
   double step_size = 0;  ///< s
   StepLimit limit = StepLimit::control;

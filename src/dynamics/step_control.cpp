@@ -16,7 +16,7 @@ constexpr double least_factor = 0.3;  // a step shrinks at most to this
 constexpr double most_factor = 1.25;  // a step grows at most to this
 constexpr double event_slack = 1e-9;  // relative round-off of times
 
-/// Tells by how much a step would have to change for its error to be the tolerance: the error of a step is of
+/// The factor by which a step would have to change for its error to be the tolerance: the error is of
 /// second order in its size.
 double unbounded_factor(const StepParameters& parameters, double error) {
   if (!std::isfinite(error)) return 0;

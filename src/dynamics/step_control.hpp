@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds a step size and what limited it.
+/// A step size and what limited it.
 struct StepChoice {
   double size = 0;  ///< s
   StepLimit limit = StepLimit::control;
@@ -25,7 +25,7 @@ struct StepChoice {
 [[nodiscard]] StepChoice propose_step(const StepParameters& parameters, double proposal, const Flow& flow,
                                       double to_event);
 
-/// Tells whether a trial step with this error is to be kept.
+/// Whether a trial step with this error is to be kept.
 [[nodiscard]] bool is_acceptable(const StepParameters& parameters, double error);
 
 /// Returns the size for another trial after a rejected one, s.

@@ -7,7 +7,7 @@ namespace {
 // Nodes further from a wall than this many diameters cannot reach it in a step.
 constexpr double diameters_away = 3;
 
-/// Holds one wall: points x with normal · x = offset.
+/// One wall: points x with normal · x = offset.
 struct Wall {
   Vec3 normal;
   double offset;

@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds one node near a wall. Of a straight rod one of the nodes is nearest to a plane, so nodes suffice.
+/// One node near a wall. Of a straight rod one of the nodes is nearest to a plane, so nodes suffice.
 struct WallContact {
   Index node = 0;
   Index rod = 0;                ///< a rod that ends at the node

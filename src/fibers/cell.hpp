@@ -8,10 +8,10 @@
 
 namespace fiberfate {
 
-/// Says how the cell ends in the direction of one lattice vector.
+/// How the cell ends in the direction of one lattice vector.
 enum class Boundary { periodic, walls };
 
-/// Holds the cell {lattice · s : 0 <= s_i < 1}.
+/// The cell {lattice · s : 0 <= s_i < 1}.
 struct Cell {
   Mat3 lattice = Mat3::Identity();  ///< H; its columns are the lattice vectors, m
   std::array<Boundary, 3> boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic};
@@ -30,7 +30,7 @@ struct Cell {
 /// H. Walled directions keep their lattice vector (only simple shear along the walls is admissible there).
 void deform(Cell& cell, const Mat3& gradient, double duration);
 
-/// Tells whether some lattice vector can be shortened by adding another: for simple shear, whether the tilt
+/// Whether some lattice vector can be shortened by adding another: for simple shear, whether the tilt
 /// exceeds ±1/2.
 [[nodiscard]] bool is_skewed(const Cell& cell);
 
@@ -39,7 +39,7 @@ void deform(Cell& cell, const Mat3& gradient, double duration);
 /// n_old.
 Eigen::Matrix3i reduce(Cell& cell);
 
-/// Tells in which image of the cell the point lies (0 in walled directions).
+/// The image of the cell in which the point lies (0 in walled directions).
 [[nodiscard]] IntVec3 image_of(const Cell& cell, const Vec3& point);
 
 }  // namespace fiberfate

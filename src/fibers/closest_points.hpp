@@ -5,13 +5,13 @@
 
 namespace fiberfate {
 
-/// Names the two ends of a straight rod.
+/// The two ends of a straight rod.
 struct Segment {
   Vec3 begin;  ///< m
   Vec3 end;    ///< m
 };
 
-/// Holds the closest points of two segments: x1 = begin1 + s (end1 − begin1), x2 = begin2 + t (end2 −
+/// The closest points of two segments: x1 = begin1 + s (end1 − begin1), x2 = begin2 + t (end2 −
 /// begin2).
 struct ClosestPoints {
   double s = 0;                    ///< place on the first segment, in [0, 1]

@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds the flow at one instant: u(x) = gradient · x.
+/// The flow at one instant: u(x) = gradient · x.
 struct Flow {
   Mat3 gradient = Mat3::Zero();  ///< kappa_ij = d u_i / d x_j, 1/s
   double viscosity = 0;          ///< of the matrix, Pa s
@@ -28,14 +28,14 @@ struct Flow {
 /// rate.
 [[nodiscard]] double principal_rate(const Flow& flow);
 
-/// Holds one row of a flow history: this simple shear acts until `end_time`.
+/// One row of a flow history: this simple shear acts until `end_time`.
 struct FlowInterval {
   double end_time = 0;   ///< s
   double rate = 0;       ///< shear rate, 1/s
   double viscosity = 0;  ///< Pa s
 };
 
-/// Holds a flow that is constant in each of consecutive intervals; the last one lasts for ever.
+/// A flow that is constant in each of consecutive intervals; the last one lasts for ever.
 /// Steps of the integrator never straddle an interval's end, so a history is followed exactly.
 class FlowHistory {
  public:
@@ -48,9 +48,9 @@ class FlowHistory {
   /// then rate.
   static FlowHistory ramp(double rate, double viscosity, double duration, int steps);
 
-  /// Tells the flow on [time, next_change(time)).
+  /// The flow on [time, next_change(time)).
   [[nodiscard]] Flow at(double time) const;
-  /// Tells the first time after `time` at which the flow changes; infinity when it never does.
+  /// The first time after `time` at which the flow changes; infinity when it never does.
   [[nodiscard]] double next_change(double time) const;
   [[nodiscard]] const std::vector<FlowInterval>& intervals() const { return intervals_; }
 

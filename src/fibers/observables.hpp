@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Says whether every fiber counts alike or by its length (volume, for equal diameters).
+/// Whether every fiber counts alike or by its length (volume, for equal diameters).
 enum class Weighting { number, length };
 
 /// Averages the lengths of a population.

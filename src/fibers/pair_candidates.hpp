@@ -1,4 +1,4 @@
-// Holds what the collection of one rod's pairs works on, so that its memory is kept.
+// What the collection of one rod's pairs works on, so that its memory is kept.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds the entries of a grid that may be near a rod.
+/// The entries of a grid that may be near a rod.
 struct PairCandidates {
   std::vector<RodGrid::Run> runs;
   std::vector<Index> entries;

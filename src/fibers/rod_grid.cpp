@@ -17,7 +17,7 @@ constexpr double bins_per_rod = 4.0;
 // of each other's fibers; the flow direction last, in which the rods of a fiber follow one another.
 constexpr std::array<int, 3> direction = {1, 2, 0};
 
-/// Holds a bin index wrapped into the grid and the image it was wrapped by.
+/// A bin index wrapped into the grid and the image it was wrapped by.
 struct WrappedBin {
   int bin;
   int turns;

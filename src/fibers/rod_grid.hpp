@@ -17,7 +17,7 @@ class RodGrid {
   /// Runs are read in whole vectors; so many entries beyond the last one may be read.
   static constexpr std::size_t padding = 16;
 
-  /// Holds consecutive entries whose midpoints, moved by the lattice shift, may be near.
+  /// Consecutive entries whose midpoints, moved by the lattice shift, may be near.
   struct Run {
     Index begin = 0;
     Index end = 0;
@@ -33,7 +33,7 @@ class RodGrid {
   void runs_ahead(Index bin, double reach, std::vector<Run>& runs) const;
 
   [[nodiscard]] Index bin_count() const { return static_cast<Index>(begin_.size()) - 1; }
-  /// Tells the first entry of a bin; its last one comes before the next bin's first.
+  /// The first entry of a bin; its last one comes before the next bin's first.
   [[nodiscard]] Index first_entry(Index bin) const { return begin_[static_cast<std::size_t>(bin)]; }
 
   // One entry a rod, sorted by bin, then by rod.
@@ -45,7 +45,7 @@ class RodGrid {
   std::vector<std::array<std::int16_t, 3>> image;  ///< the cell image that the unwrapped midpoint lies in
 
  private:
-  /// Holds a rod before it is sorted.
+  /// A rod before it is sorted.
   struct BinnedRod {
     std::array<float, 3> midpoint, axis;
     float half_length;

@@ -1,4 +1,4 @@
-// Holds pairs of rods side by side, so that they can be worked on in packs.
+// Pairs of rods side by side, so that they can be worked on in packs.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ inline constexpr int farthest_image = 511;
   return static_cast<std::int32_t>(bits(0) | bits(1) << 10 | bits(2) << 20);
 }
 
-/// Tells one number of a packed image. Always inlined, because kernels of several instruction sets call it.
+/// One number of a packed image. Always inlined, because kernels of several instruction sets call it.
 [[gnu::always_inline]] static inline int image_number(std::int32_t packed, int direction) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(packed) << (22 - 10 * direction)) >> 22;
 }

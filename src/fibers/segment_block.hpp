@@ -13,7 +13,7 @@ struct FiberState;
 /// closest to round-off, and the middle of the overlap is taken.
 inline constexpr double parallel_sine2 = 1e-12;
 
-/// Tells which part of its fiber a rod is: bits.
+/// Bits that say which part of its fiber a rod is.
 inline constexpr std::uint8_t first_of_fiber = 1;
 inline constexpr std::uint8_t last_of_fiber = 2;
 
@@ -36,7 +36,7 @@ struct SegmentBlock {
   std::uint8_t special[capacity / 8];
 };
 
-/// Names pairs to be measured: entries of the arrays of RodPairs, and where their rods are.
+/// Pairs to be measured: entries of the arrays of RodPairs, and where their rods are.
 struct SegmentQuery {
   const Index* first;
   const Index* second;

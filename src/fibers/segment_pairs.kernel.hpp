@@ -16,7 +16,7 @@ static inline __attribute__((always_inline)) Triple shifts_of(const SegmentQuery
   return transform(query.lattice, {load(turns[0]), load(turns[1]), load(turns[2])});
 }
 
-/// Holds eight pairs: r = x1 − x2 from the begin of the second rod to that of the first, u and v along them.
+/// Eight pairs: r = x1 − x2 from the begin of the second rod to that of the first, u and v along them.
 struct PairPack {
   Triple r, u, v;
   const double* begin[lanes];
@@ -47,7 +47,7 @@ static inline __attribute__((always_inline)) void gather_pairs(const SegmentQuer
   if (images != 0) pairs.r = pairs.r - shifts_of(query, which);
 }
 
-/// Tells of which pairs the contact at a rod's end is seen by the rod beyond the hinge as well, and belongs
+/// Bits of the pairs whose contact at a rod's end is seen by the rod beyond the hinge as well, and belongs
 /// to that one: always at a rod's begin; at a rod's end when the next rod comes nearer. `other` leads to the
 /// other rod, `begin` are the rods' first nodes.
 static inline __attribute__((always_inline)) std::uint32_t belong_to_neighbour(

@@ -16,7 +16,7 @@ namespace {
 // bending.
 constexpr double straightness = 1e-12;
 
-/// Names the nodes [begin, end) of a fiber.
+/// The nodes [begin, end) of a fiber.
 struct FiberPart {
   Index fiber, begin, end;
 };

@@ -1,4 +1,4 @@
-// Holds the state of a population of fibers; the state is the checkpoint, nothing else carries history.
+// The state of a population of fibers; the state is the checkpoint, nothing else carries history.
 #pragma once
 
 #include <cstdint>
@@ -22,12 +22,12 @@ struct FiberMaterial {
   [[nodiscard]] double bending_stiffness() const;
 };
 
-/// Tells what the laws of contact need to know of a fiber.
+/// What the laws of contact need to know of a fiber.
 [[nodiscard]] inline ContactBody contact_body(const FiberMaterial& material) {
   return {material.radius, material.youngs_modulus};
 }
 
-/// Holds all fibers as struct of arrays.
+/// All fibers as a struct of arrays.
 ///
 /// A fiber is a chain of rods between nodes; node k and node k+1 of one fiber bound rod k, so rods are
 /// numbered by their first node and the last node of a fiber owns no rod. Nodes of a fiber are contiguous and

@@ -22,7 +22,7 @@
 namespace fiberfate {
 namespace {
 
-/// Says what an answer of the child holds: its first byte.
+/// What an answer of the child holds: its first byte.
 enum class Answer : char { result, input_error, failure };
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -33,7 +33,7 @@ constexpr bool has_shadow_memory = __has_feature(address_sanitizer) || __has_fea
 constexpr bool has_shadow_memory = false;
 #endif
 
-/// Tells how much address space this process holds.
+/// How much address space this process holds.
 std::uint64_t held_memory() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;

@@ -25,7 +25,7 @@ class CsvWriter {
   /// Waits until the rows have reached the disk; raises StorageError.
   void sync() { file_.sync(); }
   [[nodiscard]] std::int64_t rows() const { return rows_; }
-  /// Tells the whole text so far by a number.
+  /// A number that stands for the whole text so far.
   [[nodiscard]] std::uint64_t digest() const { return digest_.value(); }
 
  private:

@@ -17,7 +17,7 @@ bool is_digits(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
 }
 
-/// Tells whether a comma can stand between thousands: "1,204", but not "0,512" or "1,5".
+/// Whether a comma can stand between thousands: "1,204", but not "0,512" or "1,5".
 bool may_part_thousands(std::string_view text, std::size_t comma) {
   if (text.starts_with('-') || text.starts_with('+')) {
     text.remove_prefix(1);

@@ -19,7 +19,7 @@ class DecimalColumn {
 
   /// Reads a number, or tells in `fault` what is wrong with it.
   [[nodiscard]] std::optional<double> read(std::string_view text, std::string& fault);
-  /// Tells whether all commas stand as thousands do, "1,204": nobody can tell then what they mean.
+  /// Whether all commas stand as thousands do, "1,204": nobody can know then what they mean.
   [[nodiscard]] bool is_ambiguous() const {
     return separator_ == '\t' && commas_ && !points_ && !sure_commas_;
   }

@@ -67,7 +67,7 @@ bool is_whole_number(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char letter) { return letter >= '0' && letter <= '9'; });
 }
 
-/// Tells whether a heading is a unit of length and nothing else: "mm" in "Length, mm".
+/// Whether a heading is a unit of length and nothing else: "mm" in "Length, mm".
 bool is_length_unit(std::string heading) {
   if (const std::string inside = unit_in_heading(heading); !inside.empty()) heading = inside;
   static constexpr std::array units = {"nm", "um", "µm", "μm", "mm", "cm", "m", "inch"};
@@ -184,7 +184,7 @@ void DelimitedTable::take_row(const std::vector<std::string_view>& cells, const 
   lines_.push_back(line);
 }
 
-/// Tells whether a column and the next hold the two parts of numbers that commas have split: whole numbers,
+/// Whether a column and the next hold the two parts of numbers that commas have split: whole numbers,
 /// and digits under the name of a unit or with zeros in front.
 bool DelimitedTable::looks_split(std::size_t column) const {
   bool zeros = false;

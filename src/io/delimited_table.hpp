@@ -22,12 +22,12 @@ class DelimitedTable {
   [[nodiscard]] const std::vector<std::string>& headings() const { return headings_; }
   [[nodiscard]] std::size_t columns() const { return headings_.size(); }
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
-  /// Tells how many lines between rows hold nothing.
+  /// How many lines between rows hold nothing.
   [[nodiscard]] std::size_t empty_lines() const { return empty_lines_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] int line_of(std::size_t row) const { return lines_[row].number; }
 
-  /// Names the columns for messages, a nameless one by its number.
+  /// The columns for messages, a nameless one by its number.
   [[nodiscard]] std::string listed_headings() const;
   /// Finds a column by its heading, with or without the unit behind it; raises InputError that lists the
   /// columns when there is none, or several.

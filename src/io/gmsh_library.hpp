@@ -18,7 +18,7 @@ class GmshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Holds the functions of Gmsh's C interface that io uses, named as in gmshc.h.
+/// The functions of Gmsh's C interface that io uses, named as in gmshc.h.
 struct GmshLibrary {
   decltype(&gmshInitialize) initialize;
   decltype(&gmshFinalize) finalize;

@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Says what Gmsh is asked to do, for messages, and what it may use.
+/// What Gmsh is asked to do, for messages, and what it may use.
 struct GmshTask {
   std::string complaint;  ///< "part.msh: Gmsh cannot read it"
   std::string remedy;

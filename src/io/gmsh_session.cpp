@@ -13,7 +13,7 @@ namespace {
 
 constexpr int triangle_type = 2;  // of Gmsh: flat, three nodes
 
-/// Names the other elements of Gmsh that surfaces hold.
+/// The name of an element of Gmsh that surfaces hold besides triangles.
 std::string element_name(int type) {
   if (type == 3) return "quadrangles";
   if (type == 9) return "triangles of second order";
@@ -30,7 +30,7 @@ void require_triangles(const GmshLibrary& gmsh, const std::string& name) {
                        "mesh the part with triangles of three nodes (order 1, not recombined)");
 }
 
-/// Names the region of a surface: its first physical group, or else its number.
+/// The name of a surface's region: its first physical group, or else its number.
 std::string region_of(const GmshLibrary& gmsh, int surface) {
   GmshList<int> groups(gmsh);
   gmsh.call(gmsh.groups_of, 2, surface, &groups.items, &groups.count);
@@ -86,7 +86,7 @@ void number_points(const GmshLibrary& gmsh, const std::vector<std::size_t>& corn
     mesh.triangles.push_back({index_of(corners[i]), index_of(corners[i + 1]), index_of(corners[i + 2])});
 }
 
-/// Names a view as the file does.
+/// The name of a view in the file.
 std::string name_of_view(const GmshLibrary& gmsh, int tag) {
   const std::string option = fmt::format("View[{}].Name", gmsh.call(gmsh.view_index, tag));
   char* text = nullptr;

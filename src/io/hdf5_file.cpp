@@ -73,7 +73,7 @@ Hdf5Handle link_list(const Hdf5Action& action) {
   return list;
 }
 
-/// Holds the first (rows) and second (columns) length of a dataset or of a part of it.
+/// The first (rows) and second (columns) length of a dataset or of a part of it.
 struct Lengths {
   std::array<hsize_t, 2> lengths{0, 1};
   int dimensions = 1;

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Names the kinds of numbers that datasets hold.
+/// The kinds of numbers that datasets hold.
 enum class Element { float64, float32, int64, int32, uint32, uint16, uint8 };
 
 template <class T>
@@ -32,13 +32,13 @@ struct TableLayout {
   enum class Compression { none, deflate } compression = Compression::none;
 };
 
-/// Names a run of rows.
+/// A run of rows.
 struct RowRange {
   std::uint64_t first = 0;
   std::uint64_t count = 0;
 };
 
-/// Holds an open HDF5 file. Datasets are named by path, "VTKHDF/Steps/Values"; missing groups are made.
+/// An open HDF5 file. Datasets are named by path, "VTKHDF/Steps/Values"; missing groups are made.
 class Hdf5File {
  public:
   enum class Access { read, read_write };
@@ -55,9 +55,9 @@ class Hdf5File {
   [[nodiscard]] const std::string& path() const { return path_; }
 
   [[nodiscard]] bool contains(const std::string& name) const;
-  /// Tells the length of a dataset's first dimension.
+  /// The length of a dataset's first dimension.
   [[nodiscard]] std::uint64_t rows(const std::string& name) const;
-  /// Tells the numbers in a row: 1 for a one-dimensional dataset.
+  /// The numbers in a row: 1 for a one-dimensional dataset.
   [[nodiscard]] std::uint64_t columns(const std::string& name) const;
   /// Describes a dataset as make_table() would have made it.
   [[nodiscard]] TableLayout layout(const std::string& name) const;

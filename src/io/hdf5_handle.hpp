@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Says what was being done, for the message of an error.
+/// What was being done, for the message of an error.
 struct Hdf5Action {
   const char* doing;        ///< "cannot write"
   const std::string& file;  ///< path

@@ -11,7 +11,7 @@ namespace fiberfate {
 /// Bytes beyond which a text or a table is taken for a mistake.
 constexpr std::uint64_t largest_input = std::uint64_t{1} << 30;
 
-/// Tells why a path cannot be read as a file: "is a folder, not a file", "is
+/// Why a path cannot be read as a file: "is a folder, not a file", "is
 /// larger than 1 GB", "cannot be read (Permission denied)"; nothing when it can. Pipes and devices may never
 /// end, so that they are not opened.
 [[nodiscard]] std::string reading_fault(const std::string& path, std::uint64_t most_bytes = largest_input);

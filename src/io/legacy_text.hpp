@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds one word of a legacy file.
+/// One word of a legacy file.
 struct LegacyWord {
   std::string text;
   int line = 0;

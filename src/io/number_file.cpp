@@ -40,7 +40,7 @@ std::string row_of(std::size_t columns) {
   return columns == 1 ? "one number" : fmt::format("a row of {} numbers", columns);
 }
 
-/// Tells what is wrong with a row, and at which of its bytes; nothing where nothing is.
+/// What is wrong with a row, and at which of its bytes; nothing where nothing is.
 struct RowFault {
   std::string complaint;
   std::size_t place = 0;

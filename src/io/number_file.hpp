@@ -6,7 +6,7 @@
 
 namespace fiberfate {
 
-/// Holds the numbers of one line.
+/// The numbers of one line.
 struct NumberRow {
   int line = 0;
   std::vector<double> numbers;

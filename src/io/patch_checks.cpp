@@ -30,7 +30,7 @@ Vec3 area_vector(const PatchedSurface& surface, const std::vector<std::size_t>& 
   return sum;
 }
 
-/// Tells on which side of a line a point lies: the sign of an area.
+/// The side of a line on which a point lies: the sign of an area.
 int side(const Vec3& from, const Vec3& to, const Vec3& point, const Vec3& normal) {
   const Vec3 along = to - from, aside = point - from;
   const double area = normal.dot(along.cross(aside));
@@ -39,7 +39,7 @@ int side(const Vec3& from, const Vec3& to, const Vec3& point, const Vec3& normal
                                                                                           : -1;
 }
 
-/// Tells whether a point on the line of an edge lies between its ends.
+/// Whether a point on the line of an edge lies between its ends.
 bool lies_between(const Vec3& from, const Vec3& to, const Vec3& point) {
   const double part = (point - from).dot(to - from) / (to - from).squaredNorm();
   return part > -flatness && part < 1 + flatness;

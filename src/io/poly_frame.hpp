@@ -1,4 +1,4 @@
-// Holds polylines or triangles at one time with numbers at their points, on each of them and about them all.
+// Polylines or triangles at one time with numbers at their points, on each of them and about them all.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds one named array of numbers that go with points, cells or the whole frame.
+/// One named array of numbers that go with points, cells or the whole frame.
 struct FrameArray {
   std::string name;
   std::string unit;    ///< SI; "1" for a pure number
@@ -17,14 +17,14 @@ struct FrameArray {
       values;
 };
 
-/// Names what the cells of a frame are.
+/// What the cells of a frame are.
 enum class CellShape { polyline, polygon };
 
-/// Says whether a frame has points and cells of its own or those of the frame before, of which a file keeps
+/// Whether a frame has points and cells of its own or those of the frame before, of which a file keeps
 /// one copy.
 enum class FrameGeometry { own, as_before };
 
-/// Holds polylines or polygons at one time. Every frame of a file has the same shape and the same arrays in
+/// Polylines or polygons at one time. Every frame of a file has the same shape and the same arrays in
 /// the same order.
 struct PolyFrame {
   double time = 0;  ///< s

@@ -11,7 +11,7 @@
 
 namespace fiberfate {
 
-/// Holds copies of a surface's points on several levels; every triangle makes a prism between each two
+/// Copies of a surface's points on several levels; every triangle makes a prism between each two
 /// levels.
 struct PrismMesh {
   std::vector<double> points;  ///< x, y, z of every point, level after level, m

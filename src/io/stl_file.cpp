@@ -26,7 +26,7 @@ constexpr std::size_t facet_size = 50;  // bytes of each
 /// with eight digits.
 constexpr double same_place = 1e-8;
 
-/// Holds the corners of one triangle, in units of the file.
+/// The corners of one triangle, in units of the file.
 struct Facet {
   std::array<Vec3, 3> corners;
   Index solid = 0;
@@ -114,7 +114,7 @@ std::vector<Facet> read_facets(const std::string& path) {
   return TextFacets(bytes, path).read();
 }
 
-/// Tells the size of the part, or where it lies far out, what its numbers can still tell apart there.
+/// The size of the part, or where it lies far out, what its numbers can still distinguish there.
 double size_of(const std::vector<Facet>& facets) {
   constexpr double far_out = 1e-6;
   Vec3 low = Vec3::Constant(INFINITY), high = -low;

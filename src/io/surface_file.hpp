@@ -17,7 +17,7 @@ namespace fiberfate {
 /// triangles, or other elements in its surfaces.
 [[nodiscard]] SurfaceMesh read_surface(const std::string& path, double unit);
 
-/// Holds one number for each of some elements, in any order.
+/// One number for each of some elements, in any order.
 struct ElementData {
   std::vector<std::size_t> elements;  ///< their numbers in the file
   std::vector<double> values;

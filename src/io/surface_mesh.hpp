@@ -1,4 +1,4 @@
-// Holds a surface in space as triangles with named regions.
+// A surface in space as triangles with named regions.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds triangles in space. The three points of a triangle run counter-clockwise about its normal.
+/// Triangles in space. The three points of a triangle run counter-clockwise about its normal.
 struct SurfaceMesh {
   std::vector<Vec3> points;                     ///< m; every point is of some triangle
   std::vector<std::array<Index, 3>> triangles;  ///< points of each

@@ -51,7 +51,7 @@ std::vector<std::vector<Neighbour>> neighbours_of(const SurfaceMesh& mesh) {
   return neighbours;
 }
 
-/// Holds a piece of the surface: its triangles, and whether it has two sides.
+/// A piece of the surface: its triangles, and whether it has two sides.
 struct Piece {
   std::vector<std::size_t> triangles;
   bool two_sided = true;

@@ -12,7 +12,7 @@ bool is_continuation(unsigned char byte) {
   return (byte & 0xC0) == 0x80;
 }
 
-/// Tells how many bytes the character at the beginning has in UTF-8 (RFC 3629); 0 where it is none.
+/// How many bytes the character at the beginning has in UTF-8 (RFC 3629); 0 where it is none.
 std::size_t character_size(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(0);
@@ -30,7 +30,7 @@ std::size_t character_size(std::string_view text) {
   return overlong || beyond ? 0 : size;
 }
 
-/// Tells what is wrong with the character at the beginning of a text, and what to do; nothing where nothing
+/// What is wrong with the character at the beginning of a text, and what to do; nothing where nothing
 /// is.
 std::pair<std::string, std::string> fault_at(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());

@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Says where a byte of a text stands; both count from 1.
+/// Where a byte of a text stands; both count from 1.
 struct TextPlace {
   int line = 1;
   int column = 1;
@@ -25,7 +25,7 @@ class TextPlaces {
     const auto next = std::upper_bound(line_begins_.begin(), line_begins_.end(), offset);
     return {static_cast<int>(next - line_begins_.begin()), static_cast<int>(offset - *std::prev(next)) + 1};
   }
-  /// Tells which byte stands at a place.
+  /// The byte that stands at a place.
   [[nodiscard]] std::size_t offset_of(TextPlace place) const {
     const auto line = std::min(static_cast<std::size_t>(std::max(place.line, 1)), line_begins_.size());
     return line_begins_[line - 1] + static_cast<std::size_t>(std::max(place.column, 1) - 1);

@@ -63,7 +63,7 @@ class Flattener {
     return {name_, place.line, place.column};
   }
 
-  /// Says where a value stands in the text.
+  /// Where a value stands in the text.
   struct Span {
     std::size_t begin = 0, size = 0;
   };

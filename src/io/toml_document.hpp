@@ -11,39 +11,39 @@
 
 namespace fiberfate {
 
-/// Says where something stands in an input.
+/// Where something stands in an input.
 struct InputPlace {
   std::string file;  ///< path as the user gave it, or "command line"
   int line = 0;      ///< from 1; 0 on the command line
   int column = 0;    ///< from 1; 0 on the command line
 };
 
-/// Holds one value of a TOML file: a boolean, whole number, number, text, or a list of values.
+/// One value of a TOML file: a boolean, whole number, number, text, or a list of values.
 struct TomlValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<TomlValue>> data;
   std::string written;  ///< as it stands in the file, line breaks folded, shortened when long
   InputPlace place;
 
-  /// Names the kind for messages: "a text", "a whole number", …; "a date" stands for all that has no use
+  /// The kind for messages: "a text", "a whole number", …; "a date" stands for all that has no use
   /// here.
   [[nodiscard]] const char* kind() const;
 };
 
-/// Holds one key, full ("fibers.length"), with its value.
+/// One key, full ("fibers.length"), with its value.
 struct TomlEntry {
   std::string key;
   InputPlace place;  ///< of the key
   TomlValue value;
 };
 
-/// Names one table ("fibers"), written as [fibers] or implied by a dotted key; tables that are repeated,
+/// One table ("fibers"), written as [fibers] or implied by a dotted key; tables that are repeated,
 /// [[fibers.kinds]], are "fibers.kinds.1", "fibers.kinds.2", ….
 struct TomlTable {
   std::string name;
   InputPlace place;
 };
 
-/// Holds a TOML file flattened to full keys, in the order in which they were written.
+/// A TOML file flattened to full keys, in the order in which they were written.
 class TomlDocument {
  public:
   /// Reads a file; raises InputError when it cannot be read or is not TOML.
@@ -62,7 +62,7 @@ class TomlDocument {
   void add(std::vector<TomlEntry> entries);
   /// Finds a key; null when it is not given.
   [[nodiscard]] const TomlEntry* find(std::string_view key) const;
-  /// Tells whether there is a table of this name.
+  /// Whether there is a table of this name.
   [[nodiscard]] bool has_table(std::string_view name) const;
   [[nodiscard]] const std::vector<TomlEntry>& entries() const { return entries_; }
   [[nodiscard]] const std::vector<TomlTable>& tables() const { return tables_; }

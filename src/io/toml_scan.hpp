@@ -11,7 +11,7 @@
 
 namespace fiberfate {
 
-/// Holds what the first look finds.
+/// What the first look finds.
 struct TomlScan {
   std::optional<InputProblem> fault;
   std::vector<std::size_t> breaks;  ///< places in long lists where a line may end
@@ -23,12 +23,12 @@ struct TomlScan {
 /// value. Lists can be broken into lines. `name` is the file in the problem.
 [[nodiscard]] TomlScan scan_toml(std::string_view text, const std::string& name);
 
-/// Holds a text with line ends at some places, and finds its bytes in the text without.
+/// A text with line ends at some places; finds its bytes in the text without.
 class BrokenText {
  public:
   BrokenText(std::string_view text, std::vector<std::size_t> breaks);
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Tells where a byte stands in the text as it was given.
+  /// Where a byte stands in the text as it was given.
   [[nodiscard]] std::size_t original(std::size_t offset) const;
 
  private:

@@ -82,7 +82,7 @@ void explain_duplicate(InputProblem& problem, const std::string& message, const 
   problem.remedy = table ? "put all its keys under one heading" : "keep one of the two";
 }
 
-/// Holds a line "key = value # remark" without its remark.
+/// A line "key = value # remark" without its remark.
 struct Assignment {
   std::string key;
   std::string value;
@@ -102,7 +102,7 @@ std::optional<Assignment> assignment_in(const std::string& line) {
                     static_cast<int>(rest.data() - line.data()) + 1};
 }
 
-/// Tells whether a number lacks the digits on one side of its point.
+/// Whether a number lacks the digits on one side of its point.
 bool is_incomplete(std::string_view value) {
   if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
   const auto point = value.find('.');
@@ -113,7 +113,7 @@ bool is_incomplete(std::string_view value) {
          std::all_of(after.begin(), after.end(), is_digit);
 }
 
-/// Tells whether a value begins with a number such as 1,5.
+/// Whether a value begins with a number such as 1,5.
 bool has_decimal_comma(std::string_view value) {
   if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
   const bool before = !take_while(value, is_digit).empty();

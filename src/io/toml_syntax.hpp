@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds the text as the user wrote it and as the library read it.
+/// The text as the user wrote it and as the library read it.
 struct TomlTexts {
   const std::string& written;
   const BrokenText& read;

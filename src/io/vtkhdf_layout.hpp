@@ -1,4 +1,4 @@
-// Names the datasets of a VTKHDF 2 file; only sources of io include it.
+// The datasets of a VTKHDF 2 file; only sources of io include it.
 //
 // Source: VTK File Formats, "VTKHDF format specification", PolyData and temporal data, versions 2.0 to 2.2.
 #pragma once
@@ -30,12 +30,12 @@ inline const std::string connectivity_offsets = "VTKHDF/Steps/ConnectivityIdOffs
 inline const std::string points = "VTKHDF/Points";
 inline const std::string point_counts = "VTKHDF/NumberOfPoints";
 
-/// Names a dataset of one topology: "VTKHDF/Lines/Offsets".
+/// The name of a dataset of one topology: "VTKHDF/Lines/Offsets".
 inline std::string of(std::size_t topology, const char* dataset) {
   return root + '/' + topologies[topology] + '/' + dataset;
 }
 
-/// Names the kinds of arrays: at points, on polylines, on the whole frame.
+/// The kinds of arrays: at points, on polylines, on the whole frame.
 enum class Kind { point, cell, field };
 inline std::string name(Kind kind) {
   return kind == Kind::point ? "PointData" : kind == Kind::cell ? "CellData" : "FieldData";

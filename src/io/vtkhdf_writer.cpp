@@ -76,7 +76,7 @@ void make_layout(Hdf5File& file, const PolyFrame& frame) {
 
 using TopologyRow = std::array<std::int64_t, vtkhdf::topologies.size()>;
 
-/// Says where the geometry of a frame stands in the file.
+/// Where the geometry of a frame stands in the file.
 struct GeometryPlace {
   std::int64_t part = 0;
   std::int64_t point = 0;
@@ -84,7 +84,7 @@ struct GeometryPlace {
   TopologyRow connectivity{};
 };
 
-/// Tells the place behind all geometry so far.
+/// The place behind all geometry so far.
 GeometryPlace next_place(const Hdf5File& file, std::size_t topology) {
   const auto rows = [&file](const std::string& name) { return static_cast<std::int64_t>(file.rows(name)); };
   GeometryPlace place;
@@ -96,7 +96,7 @@ GeometryPlace next_place(const Hdf5File& file, std::size_t topology) {
   return place;
 }
 
-/// Tells the place of the last frame's geometry.
+/// The place of the last frame's geometry.
 GeometryPlace last_place(const Hdf5File& file) {
   const std::uint64_t last = file.rows(vtkhdf::values) - 1;
   const auto row = [&](const std::string& name) { return file.read_rows<std::int64_t>(name, {last, 1}); };

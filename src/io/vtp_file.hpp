@@ -11,7 +11,7 @@ namespace fiberfate {
 /// Writes one frame as .vtp (PolyData, appended raw binary); raises StorageError.
 void write_vtp(const std::string& path, const PolyFrame& frame);
 
-/// Names one file of a series.
+/// One file of a series.
 struct SeriesMember {
   double time = 0;   ///< s
   std::string file;  ///< relative to the .pvd

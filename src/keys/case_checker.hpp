@@ -12,7 +12,7 @@
 
 namespace fiberfate {
 
-/// Says whether files that a case names must exist: yes for a new run, no for one that is resumed.
+/// Whether files that a case names must exist: yes for a new run, no for one that is resumed.
 enum class NamedFiles { must_exist, may_be_gone };
 
 /// Starts a problem at a key; where the key is not given, at the heading of its table, or at the file.
@@ -53,15 +53,15 @@ class CaseChecker {
   /// Warns of each of these keys that is given, although with the other choices nothing reads it; `reader`
   /// says what would. A resolved case, which gives every key, is let off.
   void warn_unused(const std::vector<std::string>& keys, const std::string& reader);
-  /// Tells whether the case gives the key itself.
+  /// Whether the case gives the key itself.
   [[nodiscard]] bool is_given(const std::string& key) const { return document_.find(key) != nullptr; }
-  /// Tells whether nothing is wrong so far, so that all values may be relied on.
+  /// Whether nothing is wrong so far, so that all values may be relied on.
   [[nodiscard]] bool is_sound() const { return errors_.empty(); }
-  /// Tells whether nothing is wrong with this key so far.
+  /// Whether nothing is wrong with this key so far.
   [[nodiscard]] bool is_sound(const std::string& key) const;
   /// Cites a key with its place for use inside a message: `fibers.count = 100 (line 12)`.
   [[nodiscard]] std::string cite(const std::string& key) const;
-  /// Tells whether files that the case names may be gone, as for a result that is resumed or reported.
+  /// Whether files that the case names may be gone, as for a result that is resumed or reported.
   [[nodiscard]] bool files_may_be_gone() const { return named_files_ == NamedFiles::may_be_gone; }
   /// Reports an error unless the file exists and can be read.
   void check_file(const std::string& key, const std::string& path);

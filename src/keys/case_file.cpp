@@ -84,7 +84,7 @@ bool is_section(const KeyTable& table, const std::string& name) {
   });
 }
 
-/// Tells what a key that does not exist most likely means.
+/// Guesses which key is meant by one that does not exist.
 std::string meant_key(const std::string& key, const CaseKind& kind, const KeyTable& table) {
   std::vector<std::string> names = common_keys;
   for (const Key& one : table.keys()) names.push_back(one.name);

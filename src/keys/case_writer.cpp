@@ -36,7 +36,7 @@ std::string explanation(const Key& key) {
   return bounds.empty() ? text : text + comment(bounds);
 }
 
-/// Says what becomes of the examples of keys that a case usually gives, and this one does not.
+/// What becomes of the examples of keys that a case usually gives, and this one does not.
 enum class Examples { active, commented };
 
 /// Writes one key of an annotated file: commented out where it is at its default.

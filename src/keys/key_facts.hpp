@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds the facts about one key, each in words; empty where there is nothing to say.
+/// The facts about one key, each in words; empty where there is nothing to say.
 struct KeyFacts {
   std::string kind;
   std::string unit;
@@ -17,7 +17,7 @@ struct KeyFacts {
   std::string source;
 };
 
-/// Tells the facts about a key of a table whose members are at their defaults.
+/// The facts about a key of a table whose members are at their defaults.
 [[nodiscard]] KeyFacts key_facts(const Key& key);
 
 }  // namespace fiberfate

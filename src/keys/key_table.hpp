@@ -13,14 +13,14 @@
 
 namespace fiberfate {
 
-/// Says whether a case may leave a key out.
+/// Whether a case may leave a key out.
 enum class Need {
   optional,
   usual,     ///< only some cases leave it out, so a template gives the example
   required,  ///< every case gives it; the example helps
 };
 
-/// Tells everything about a key that is not its value.
+/// Everything about a key that is not its value.
 struct KeyNotes {
   std::string text;           ///< what it means, one or two sentences
   std::string unit = "1";     ///< SI unit of the value in memory; "1" for a pure number
@@ -31,7 +31,7 @@ struct KeyNotes {
   std::string source = {};   ///< where the default or the definition comes from
 };
 
-/// Names one value of an enum in case files.
+/// One value of an enum in case files.
 template <class Enum>
 struct Choice {
   Enum value;
@@ -70,7 +70,7 @@ struct Section {
 /// members' values at that moment are the defaults. The case must outlive the table.
 class KeyTable {
  public:
-  /// Says how many of the tables that a case may repeat are described: as many as the case has, or one each.
+  /// How many of the tables that a case may repeat are described: as many as the case has, or one each.
   enum class Repeats { of_case, one_to_show };
   /// Makes a table of keys that are written or shown.
   explicit KeyTable(Repeats repeats = Repeats::of_case) : repeats_(repeats) {}
@@ -88,13 +88,13 @@ class KeyTable {
     items.resize(count_repeated(name, items.size()));
     for (std::size_t i = 0; i < items.size(); ++i) describe(repeated_name(name, i), items[i]);
   }
-  /// Names one of several tables, counted from 0.
+  /// The name of one of several tables, counted from 0.
   [[nodiscard]] static std::string repeated_name(const std::string& name, std::size_t place) {
     return name + '.' + std::to_string(place + 1);
   }
-  /// Tells whether this is the name of tables that a case may repeat.
+  /// Whether this is the name of tables that a case may repeat.
   [[nodiscard]] bool is_repeated(const std::string& name) const;
-  /// Names the tables that a case may give, those that may be repeated without a number.
+  /// The tables that a case may give, those that may be repeated without a number.
   [[nodiscard]] std::vector<std::string> table_names() const;
 
   void quantity(const std::string& key, double& member, KeyNotes notes);

@@ -11,14 +11,14 @@
 
 namespace fiberfate {
 
-/// Says what is wrong with a value and what to do about it.
+/// What is wrong with a value and what to do about it.
 struct Complaint {
   std::string what;
   std::string remedy;
   const TomlValue* at = nullptr;  ///< the item of a list that is at fault; null: the whole value
 };
 
-/// Says how numbers are written: with a unit that people use, or bare in SI so that reading gives the same
+/// How numbers are written: with a unit that people use, or bare in SI so that reading gives the same
 /// bits.
 enum class NumberStyle { friendly, si };
 
@@ -40,7 +40,7 @@ struct Range {
   [[nodiscard]] bool contains(double value) const;
 };
 
-/// Names the units of a quantity: SI in memory, friendly in templates and messages.
+/// The units of a quantity: SI in memory, friendly in templates and messages.
 struct Units {
   std::string si = "1";
   std::string friendly = {};  ///< empty: the same as `si`

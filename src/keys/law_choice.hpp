@@ -26,13 +26,13 @@ using LawMenu = std::vector<LawMenuItem>;
 [[nodiscard]] const LawMenu& viscosity_menu();
 [[nodiscard]] const LawMenu& orientation_menu();
 
-/// Holds the name of a law and the parameters that the case gives, of whatever law.
+/// The name of a law and the parameters that the case gives, of whatever law.
 struct LawChoice {
   std::string name;
   std::map<std::string, std::optional<double>> parameters;
 };
 
-/// Says under which table a law is chosen and what it is for.
+/// Under which table a law is chosen and what it is for.
 struct LawTable {
   std::string section;  ///< "law"
   std::string text;

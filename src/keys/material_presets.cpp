@@ -28,7 +28,7 @@ TomlDocument read_preset(const TomlEntry& entry, const std::string& wanted, cons
   throw InputError({problem});
 }
 
-/// Tells whether the document chooses another law than the preset in the table of a key.
+/// Whether the document chooses another law than the preset in the table of a key.
 bool chooses_otherwise(const TomlDocument& document, const TomlDocument& preset, const std::string& key) {
   const std::string choice = key.substr(0, key.rfind('.')) + ".name";
   const TomlEntry* own = document.find(choice);

@@ -1,4 +1,4 @@
-// Holds the materials that come with the program: parts of case files that stand for the keys a case leaves
+// The materials that come with the program: parts of case files that stand for the keys a case leaves
 // out.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace fiberfate {
 
-/// Holds one file of materials/.
+/// One file of materials/.
 struct MaterialPreset {
   std::string_view name;  ///< "ppgf30"
   std::string_view text;
 };
 
-/// Tells all materials of the program, by name.
+/// All materials of the program, by name.
 [[nodiscard]] std::span<const MaterialPreset> material_presets();
 
 /// Adds to a document the entries of the material that its preset key names, a name of the program's or a

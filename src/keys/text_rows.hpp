@@ -21,7 +21,7 @@ class RowTexts {
   const std::vector<TomlValue>& row_;
 };
 
-/// Says how one kind of row is kept.
+/// How one kind of row is kept.
 struct RowKeeper {
   /// Takes a row, or tells what is wrong with it.
   std::function<std::optional<Complaint>(const std::vector<TomlValue>&)> append;
@@ -32,7 +32,7 @@ struct RowKeeper {
 /// Adds a key that holds a list of such rows.
 void describe_text_rows(KeyTable& table, const std::string& key, KeyNotes notes, RowKeeper keeper);
 
-/// Names a place of a part: two numbers are coordinates in the flat part, three are in space; twice as many
+/// A place of a part: two numbers are coordinates in the flat part, three are in space; twice as many
 /// are the two ends of a line.
 struct NamedPlace {
   std::string name;

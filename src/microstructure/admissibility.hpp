@@ -1,4 +1,4 @@
-// Says whether an orientation tensor belongs to some distribution of directions, and finds the nearest one
+// Whether an orientation tensor belongs to some distribution of directions, and the nearest one
 // that does.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Says what is wrong with A2, or nothing: it must be finite, symmetric, of unit trace and without negative
+/// What is wrong with A2, or nothing: it must be finite, symmetric, of unit trace and without negative
 /// principal value, each within `tolerance`.
 [[nodiscard]] std::string fault_of(const Mat3& second, double tolerance = 1e-9);
 
@@ -26,7 +26,7 @@ inline constexpr double forgiven_departure = 1e-3;
 /// does.
 void require_forgivable(const Mat3& second);
 
-/// Says what is wrong with A4, or nothing: symmetric in all four indices, A_ijkk the given A2, and X:A4:X >=
+/// What is wrong with A4, or nothing: symmetric in all four indices, A_ijkk the given A2, and X:A4:X >=
 /// 0 for every symmetric X (a fourth moment is a sum of squares), each within `tolerance`.
 [[nodiscard]] std::string fault_of(const Mat6& fourth, const Mat3& second, double tolerance = 1e-9);
 

@@ -7,14 +7,14 @@
 
 namespace fiberfate {
 
-/// Holds an estimate and the limits between which it lies with the wanted probability.
+/// An estimate and the limits between which it lies with the wanted probability.
 struct Interval {
   double estimate = 0;
   double lower = 0;
   double upper = 0;
 };
 
-/// Says how often each of `count` items occurs in bootstrap sample number `sample` of a seed: `count` draws
+/// Draws how often each of `count` items occurs in bootstrap sample `sample` of a seed: `count` draws
 /// with replacement, the same wherever they are made.
 void draw_counts(std::vector<int>& counts, std::size_t count, int sample, std::uint64_t seed);
 

@@ -18,9 +18,9 @@ struct ClosureDescription {
   const char* source;   ///< author, year, equation
 };
 
-/// Tells all closures.
+/// All closures.
 [[nodiscard]] std::span<const ClosureDescription> closures();
-/// Tells the name of a closure.
+/// The name of a closure.
 [[nodiscard]] const char* name(Closure closure);
 /// Finds a closure by name, in capitals or not; raises InputError with the nearest name.
 [[nodiscard]] Closure closure_named(std::string_view name);

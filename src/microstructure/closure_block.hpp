@@ -6,7 +6,7 @@
 
 namespace fiberfate {
 
-/// Holds eight states; arrays are [component][8], components in the order 11, 22, 33, 23, 31, 12, aligned to
+/// Eight states; arrays are [component][8], components in the order 11, 22, 33, 23, 31, 12, aligned to
 /// 64 bytes.
 struct ClosureBlock {
   const double* second;     ///< A2

@@ -1,4 +1,4 @@
-// Holds the published coefficients of the fitted closures, digit for digit.
+// The published coefficients of the fitted closures, digit for digit.
 #pragma once
 
 namespace fiberfate {

@@ -1,9 +1,9 @@
-// Names the closure approximations.
+// The closure approximations.
 #pragma once
 
 namespace fiberfate {
 
-/// Names how A4 is made from A2.
+/// How A4 is made from A2.
 enum class Closure {
   linear,     ///< exact for isotropic states; unstable in flow
   quadratic,  ///< exact for aligned states

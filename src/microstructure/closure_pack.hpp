@@ -10,7 +10,7 @@
 #ifdef FIBERFATE_ISA
 namespace fiberfate::FIBERFATE_ISA {
 
-/// Holds A_1111, A_2222, A_3333, A_2233, A_3311, A_1122 of a fully symmetric orthotropic A4 in its principal
+/// A_1111, A_2222, A_3333, A_2233, A_3311, A_1122 of a fully symmetric orthotropic A4 in its principal
 /// frame.
 struct Orthotropic {
   Pack c1, c2, c3, c23, c31, c12;

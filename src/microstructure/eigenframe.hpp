@@ -9,7 +9,7 @@ namespace fiberfate {
 /// difference, would no longer mean anything. The values are those of tensors of unit trace.
 inline constexpr double equal_principal_values = 1e-9;
 
-/// Holds principal values in falling order and their unit axes as the columns of a proper rotation.
+/// Principal values in falling order and their unit axes as the columns of a proper rotation.
 struct Eigenframe {
   Vec3 values = Vec3::Zero();
   Mat3 axes = Mat3::Identity();

@@ -11,13 +11,13 @@ inline constexpr double equal_values = 1e-9;
 /// Sweeps after which Jacobi's method has converged quadratically for every 3×3 tensor (4 or 5 are the rule).
 inline constexpr int most_sweeps = 12;
 
-/// Holds principal values in falling order and their axes: axis[k][i] is the component i of axis k.
+/// Principal values in falling order and their axes: axis[k][i] is the component i of axis k.
 struct Frame {
   Pack value[3];
   Pack axis[3][3];
 };
 
-/// Says for the pairs (1,2), (2,3), (3,1) of eight frames whether their values are equal.
+/// For the pairs (1,2), (2,3), (3,1) of eight frames, whether their values are equal.
 struct EqualPairs {
   Mask p12, p23, p31;
 };

@@ -95,7 +95,7 @@ std::vector<std::size_t> bin_counts(const std::vector<double>& shares, std::size
   return counts;
 }
 
-/// Says how many lengths are drawn and what their mean shall be.
+/// How many lengths are drawn, and their mean.
 struct Draft {
   std::size_t count;
   double mean;      ///< m

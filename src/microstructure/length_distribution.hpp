@@ -15,7 +15,7 @@ struct SingleLength {
   double length = 0;  ///< m
 };
 
-/// Says what the heights of a histogram of lengths count.
+/// What the heights of a histogram of lengths count.
 enum class HistogramHeight {
   fibers,  ///< share of the number of fibers
   length,  ///< share of the total length (of the segments: thesis 3.30, 3.31)
@@ -57,7 +57,7 @@ void require_admissible(const LengthLaw& law);
 /// Mean length by weight L_W of the law, m.
 [[nodiscard]] double weight_average(const LengthLaw& law);
 
-/// Says how many lengths are drawn, and what they come to.
+/// How many lengths are drawn, and what they come to.
 struct LengthRequest {
   std::size_t count = 0;
   std::uint64_t seed = 1;

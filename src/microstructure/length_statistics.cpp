@@ -54,7 +54,7 @@ Sums sums_of(const MeasuredLengths& fibers) {
   return sums;
 }
 
-/// Tells the bin of a length, or as many as there are bins for one outside the edges.
+/// The bin of a length, or as many as there are bins for one outside the edges.
 std::size_t bin_of(double length, const std::vector<double>& edges) {
   if (length < edges.front() || length > edges.back()) return edges.size() - 1;
   const auto above = std::ranges::upper_bound(edges, length) - edges.begin();

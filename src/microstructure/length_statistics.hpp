@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds measured lengths and how many fibers each stands for (empty: one each).
+/// Measured lengths and how many fibers each stands for (empty: one each).
 struct MeasuredLengths {
   std::vector<double> lengths;  ///< m, positive
   std::vector<double> numbers = {};
@@ -38,13 +38,13 @@ struct LengthShares {
   std::vector<double> by_length;  ///< share of the total length
 };
 [[nodiscard]] LengthShares length_shares(const MeasuredLengths& fibers, const std::vector<double>& edges);
-/// Tells the standard deviation of `by_number` from the list's finite size, to first order: sqrt(sum N_i²
+/// The standard deviation of `by_number` from the list's finite size, to first order: sqrt(sum N_i²
 /// (inside_i - share)²)/sum N_i; an empty bin is as uncertain as one typical fiber. Raises as length_shares.
 [[nodiscard]] std::vector<double> share_deviations(const MeasuredLengths& fibers, const LengthShares& shares);
 /// Makes edges of equal width from 0 to the longest fiber.
 [[nodiscard]] std::vector<double> even_edges(const MeasuredLengths& fibers, int bins);
 
-/// Holds the mean lengths with percentile-bootstrap limits.
+/// The mean lengths with percentile-bootstrap limits.
 struct LengthIntervals {
   Interval number_average;  ///< L_N, m
   Interval weight_average;  ///< L_W, m

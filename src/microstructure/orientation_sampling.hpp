@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Names the distributions that have a given A2.
+/// The distributions that have a given A2.
 enum class OrientationDistribution {
   angular_central_gaussian,  ///< p = B u / |B u|, u isotropic: smooth; B is fitted to A2
   subclusters,               ///< mixture of 3D-random, planar-random and aligned (thesis 3.28, 3.29)

@@ -14,7 +14,7 @@ namespace fiberfate {
 /// from axis 1 towards axis 2.
 [[nodiscard]] Vec3 direction_of(double theta, double phi);
 
-/// Holds measured fibers: directions of any length but zero, and what each counts for (its length, say;
+/// Measured fibers: directions of any length but zero, and what each counts for (its length, say;
 /// empty: all alike).
 struct MeasuredDirections {
   std::vector<Vec3> directions;
@@ -34,7 +34,7 @@ struct MeasuredDirections {
 /// A4 = sum w p p p p / sum w, components [ij][kl]; raises as second_moment.
 [[nodiscard]] Mat6 fourth_moment(const MeasuredDirections& fibers);
 
-/// Holds A2 and the limits of each of its components.
+/// A2 and the limits of each of its components.
 struct OrientationInterval {
   Mat3 estimate = Mat3::Zero();
   Mat3 lower = Mat3::Zero();

@@ -10,12 +10,12 @@
 
 namespace fiberfate::FIBERFATE_ISA {
 
-/// Holds the components 11, 22, 33, 23, 31, 12 of eight symmetric tensors.
+/// The components 11, 22, 33, 23, 31, 12 of eight symmetric tensors.
 struct Symmetric {
   Pack c11, c22, c33, c23, c31, c12;
 };
 
-/// Holds W12, W23, W31 of eight antisymmetric tensors.
+/// W12, W23, W31 of eight antisymmetric tensors.
 struct Antisymmetric {
   Pack c12, c23, c31;
 };

@@ -7,18 +7,18 @@
 
 namespace fiberfate {
 
-/// Holds six components in the order 11, 22, 33, 23, 31, 12 (plain tensor components, no factors of 2).
+/// Six components in the order 11, 22, 33, 23, 31, 12 (plain tensor components, no factors of 2).
 using Vec6 = Eigen::Matrix<double, 6, 1>;
-/// Holds T_ijkl of a tensor with minor symmetries as [ij][kl], both pairs in the order of Vec6, plain
+/// T_ijkl of a tensor with minor symmetries as [ij][kl], both pairs in the order of Vec6, plain
 /// components.
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-/// Names the row and column of the six components.
+/// Row and column of the six components.
 inline constexpr int row_of[6] = {0, 1, 2, 1, 2, 0};
 inline constexpr int column_of[6] = {0, 1, 2, 2, 0, 1};
-/// Names the place of component (i, j) among the six.
+/// The place of component (i, j) among the six.
 inline constexpr int place_of[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
-/// Says how often each of the six components occurs in the full tensor: the weights of a contraction.
+/// How often each of the six components occurs in the full tensor: the weights of a contraction.
 inline constexpr double multiplicity_of[6] = {1, 1, 1, 2, 2, 2};
 
 /// Collects the six components of a symmetric tensor; the antisymmetric part of the argument is dropped.

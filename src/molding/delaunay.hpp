@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds the triangles over which the flow is solved.
+/// The triangles over which the flow is solved.
 struct FlowTriangles {
   std::vector<std::array<Index, 3>> corners;
   std::vector<double> thickness;  ///< m

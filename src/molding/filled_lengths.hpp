@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Names how the classes of initial length stand for the fibers.
+/// How the classes of initial length stand for the fibers.
 enum class LengthReading {
   population,  ///< they are classes of a distribution
   means        ///< class 0 is L_N, class 1 is L_W
@@ -20,7 +20,7 @@ class FilledLengths {
  public:
   FilledLengths(const Filling& filling, LengthReading reading) : filling_(filling), reading_(reading) {}
 
-  /// Tells whether the melt has come to a node.
+  /// Whether the melt has come to a node.
   [[nodiscard]] bool is_wet(std::size_t node) const { return filling_.state().filled[node] > 0; }
   [[nodiscard]] std::size_t set_count() const { return filling_.params().fibers.length_sets.size(); }
 
@@ -28,13 +28,13 @@ class FilledLengths {
   [[nodiscard]] LengthClasses population(std::size_t set, std::size_t node, std::size_t layer) const;
   /// Gives the same of the whole gap, every layer with its share of the volume.
   [[nodiscard]] LengthClasses population(std::size_t set, std::size_t node) const;
-  /// Tells L_N and L_W at a point; NaN where there is no melt.
+  /// L_N and L_W at a point; NaN where there is no melt.
   [[nodiscard]] MeanLengths means(std::size_t set, std::size_t node, std::size_t layer) const;
-  /// Tells L_N and L_W over the gap and over nodes: those of the sample where fibers are a population, the
+  /// L_N and L_W over the gap and over nodes: those of the sample where fibers are a population, the
   /// means over the gap where only means are followed, as they have been calibrated.
   [[nodiscard]] MeanLengths means(std::size_t set, std::size_t node) const;
   [[nodiscard]] MeanLengths means(std::size_t set, std::span<const Index> nodes) const;
-  /// Tells L_N and L_W of all fibers in the gap at some nodes, as a burnt-off sample has them. Layers of
+  /// L_N and L_W of all fibers in the gap at some nodes, as a burnt-off sample has them. Layers of
   /// short fibers hold more of them and count the more: the L_N of layers has the harmonic mean, L_W the
   /// arithmetic.
   [[nodiscard]] MeanLengths sample_means(std::size_t set, std::span<const Index> nodes) const;

@@ -24,7 +24,7 @@
 
 namespace fiberfate {
 
-/// Holds parameters, state and scratch; only the state lasts.
+/// Parameters, state and scratch; only the state lasts.
 struct Filling::Parts {
   Parts(ShellMesh mesh_in, FillingParams params_in)
       : mesh(std::move(mesh_in)),
@@ -122,7 +122,7 @@ void Filling::Parts::follow_gates() {
   link_gates();
 }
 
-/// Tells by how much fibers raise the viscosity at the present state; nothing where they do not.
+/// By how much fibers raise the viscosity at the present state; nothing where they do not.
 std::vector<double> Filling::Parts::stretching_now() const {
   std::vector<double> values;
   if (!params.fibers.coupling) return values;

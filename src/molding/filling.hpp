@@ -13,7 +13,7 @@
 
 namespace fiberfate {
 
-/// Names the parts of a step whose time is measured.
+/// The parts of a step whose time is measured.
 enum class FillingPhase : std::size_t { flow, front, heat, lengths, orientation };
 inline constexpr std::size_t filling_phase_count = 5;
 inline constexpr std::array<const char*, filling_phase_count> filling_phase_names = {
@@ -51,14 +51,14 @@ class Filling {
   [[nodiscard]] const GapLayers& layers() const;
   [[nodiscard]] const FillingState& state() const;
   [[nodiscard]] double filled_fraction() const;
-  /// Tells the wall seconds spent in a phase so far.
+  /// Wall seconds spent in a phase so far.
   [[nodiscard]] double seconds(FillingPhase phase) const;
 
   /// Gives A2 of a point in the axes of the part; zero where there is no melt.
   [[nodiscard]] Mat3 orientation(std::size_t node, std::size_t layer) const;
   /// Gives A2 in the axes of the part, averaged over the gap.
   [[nodiscard]] Mat3 mean_orientation(std::size_t node) const;
-  /// Tells how many lengths a set transports: one a class, or one a bin for Phelps' law.
+  /// How many lengths a set transports: one a class, or one a bin for Phelps' law.
   [[nodiscard]] std::size_t field_count(std::size_t set) const;
   /// Gives the lengths (m) of a set's classes at a point; for Phelps' law the numbers of fibers in its bins.
   [[nodiscard]] std::span<const double> lengths(std::size_t set, std::size_t node, std::size_t layer) const;
@@ -71,9 +71,9 @@ class Filling {
   [[nodiscard]] std::span<const double> bin_lengths(std::size_t set) const;
   /// Averages a field by point (temperature, rate) over the gap, by node; 0 where there is no melt.
   [[nodiscard]] std::vector<double> gap_average(std::span<const double> by_point) const;
-  /// Tells the viscosity of every point at the present state, Pa s.
+  /// The viscosity of every point at the present state, Pa s.
   [[nodiscard]] std::vector<double> viscosity() const;
-  /// Tells the mean velocity of every node at the last solution of the flow, in the axes of the part, m/s.
+  /// The mean velocity of every node at the last solution of the flow, in the axes of the part, m/s.
   [[nodiscard]] std::vector<Vec3> velocity() const;
   /// Gives the heat in the melt above the mold's temperature, J.
   [[nodiscard]] double stored_heat() const;

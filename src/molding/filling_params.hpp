@@ -1,4 +1,4 @@
-// Gathers everything that a user may choose about a filling.
+// Everything that a user may choose about a filling.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ enum class HeatModel {
   full   ///< convection, conduction across the gap, viscous heating, fountain flow
 };
 
-/// Holds how finely to compute.
+/// How finely to compute.
 struct FillingNumerics {
   int layers = 20;                ///< in the full gap; even (half of them are computed, by symmetry)
   double wall_width_ratio = 0.4;  ///< width of the layer at the wall over that at the mid-plane
@@ -29,7 +29,7 @@ struct FillingNumerics {
   double orientation_tolerance = 1e-3;  ///< error of A2 in one internal step of the point law
 };
 
-/// Gathers the parameters of a filling.
+/// The parameters of a filling.
 struct FillingParams {
   MoldingMaterial material;
   MoldingProcess process;

@@ -1,4 +1,4 @@
-// Names what the state of a filling can say.
+// The names of what the state of a filling can say.
 #include "molding/filling_state.hpp"
 
 namespace fiberfate {

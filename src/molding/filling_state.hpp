@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Says why a filling is at its end.
+/// Why a filling is at its end.
 enum class FillingEnd {
   none,        ///< it is not
   filled,      ///< the cavity is full
@@ -20,11 +20,11 @@ enum class FillingEnd {
 };
 [[nodiscard]] const char* name(FillingEnd reason);
 
-/// Says what the machine holds at its setting.
+/// What the machine holds at its setting.
 enum class ControlMode { flow, pressure_limit, switchover };
 [[nodiscard]] const char* name(ControlMode mode);
 
-/// Names what can happen.
+/// What can happen.
 enum class FillingEventKind {
   gate_opened,
   gate_closed,
@@ -43,7 +43,7 @@ struct FillingEvent {
   int gate = -1;
 };
 
-/// Holds the state of one gate.
+/// The state of one gate.
 struct GateState {
   int moves = 0;  ///< how often it has opened or closed: odd while it is open
   double arrival_time = std::numeric_limits<double>::quiet_NaN();  ///< of the front, s; NaN before
@@ -65,7 +65,7 @@ struct HeatAccount {
 /// marked as such only.
 enum class NodeMark : std::uint8_t { none, weld_line, air_trap, last_filled };
 
-/// Holds everything that changes. Arrays by node have n elements; by point n·layers (layers of half the gap,
+/// Everything that changes. Arrays by node have n elements; by point n·layers (layers of half the gap,
 /// [node][layer], layer 0 at the mid-plane); lengths [node][layer][field].
 struct FillingState {
   double time = 0;  ///< s

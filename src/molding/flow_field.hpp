@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Holds the flow at one time. A node is wet where its control volume is full. Pressure is zero at the front.
+/// The flow at one time. A node is wet where its control volume is full. Pressure is zero at the front.
 struct FlowField {
   std::vector<char> wet;                  ///< by node
   std::vector<double> inverse_viscosity;  ///< by point, 1/(Pa s); 0 where a layer stands still

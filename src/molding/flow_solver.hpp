@@ -13,7 +13,7 @@
 
 namespace fiberfate {
 
-/// Says what drives the flow in one step.
+/// What drives the flow in one step.
 struct Drive {
   double rate = 0;      ///< that the machine aims at, m³/s
   double pressure = 0;  ///< at the sprue that it does not exceed, Pa
@@ -30,14 +30,14 @@ class FlowSolver {
  public:
   FlowSolver(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers);
 
-  /// Says which gates are open.
+  /// Sets which gates are open.
   void set_gates(std::vector<GateLink> open_gates, const std::vector<Gate>& gates);
   /// Solves for the flow at the state; updates its shear rates and `field`. `stretching` is 1 + R
   /// (D:A4:D)/(D:D) by point, or empty. Raises SimulationFailure when the pressure is not finite.
   void solve(FillingState& state, const Drive& drive, std::span<const double> stretching, FlowField& field);
-  /// Tells by how much an edge conducts in an empty part of unit fluidity, m³.
+  /// How much an edge conducts in an empty part of unit fluidity, m³.
   [[nodiscard]] double edge_weight(Index edge) const { return edge_weights_[edge]; }
-  /// Tells the viscosity of every point, Pa s; frozen layers have that of their temperature.
+  /// The viscosity of every point, Pa s; frozen layers have that of their temperature.
   void viscosities(const FillingState& state, std::size_t node, std::span<const double> stretching,
                    std::span<double> values) const;
 

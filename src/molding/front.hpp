@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Tells the size of the control volumes next to wet ones, m³: a step that fills more is coarse.
+/// The size of the control volumes next to wet ones, m³: a step that fills more is coarse.
 [[nodiscard]] double volume_at_front(const ShellMesh& mesh, const FlowField& field);
 
 /// Lets the fluxes of `field` act for step.duration; step.gate_volume says what gates that are not full bring

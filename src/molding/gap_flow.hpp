@@ -1,4 +1,4 @@
-// Tells how melt of a given viscosity in each layer flows through the gap.
+// Flow through the gap of melt with a given viscosity in each layer.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Tells the fluidity s = int_0^1 zeta²/eta dzeta of half a gap, 1/(Pa s), and writes each layer's share of
+/// The fluidity s = int_0^1 zeta²/eta dzeta of half a gap, 1/(Pa s); writes each layer's share of
 /// the flow (sum 1): M_k/s with M_k = int over the layer of b, b(zeta) = int_zeta^1 zeta'/eta dzeta'. Exact
 /// for viscosities that are constant in each layer. `inverse_viscosities` (1/(Pa s)) are 0 in layers that
 /// stand still. Flow through the full thickness H: q = -(H³/4) s grad p, m²/s. A gap that is frozen shut has

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Names what opens or closes a gate.
+/// What opens or closes a gate.
 enum class TriggerKind {
   start,            ///< from the beginning
   never,            ///< not at all
@@ -22,14 +22,14 @@ enum class TriggerKind {
 /// Stands for the gate itself where a trigger names a sensor.
 inline constexpr int own_gate = -1;
 
-/// Says when a gate opens or closes.
+/// When a gate opens or closes.
 struct Trigger {
   TriggerKind kind = TriggerKind::start;
   double value = 0;
   int sensor = own_gate;  ///< number of the sensor whose arrival counts
 };
 
-/// Says when a gate is open: from one trigger to the next.
+/// When a gate is open: from one trigger to the next.
 struct OpenInterval {
   Trigger opens = {};
   Trigger closes = {TriggerKind::never};

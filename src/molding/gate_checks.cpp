@@ -14,7 +14,7 @@ namespace {
 /// A sensor may lie so far off the middle surface, m.
 constexpr double sensor_reach = 1e-3;
 
-/// Tells an event as case files do.
+/// Writes an event as case files do.
 std::string text_of(const Trigger& trigger, const std::vector<Sensor>& sensors) {
   const std::string at = trigger.sensor >= 0 && trigger.sensor < std::ssize(sensors)
                              ? " at " + sensors[static_cast<std::size_t>(trigger.sensor)].name
@@ -34,7 +34,7 @@ std::string text_of(const Trigger& trigger, const std::vector<Sensor>& sensors) 
   return "never";
 }
 
-/// Tells whether two events wait for the same clock, so that their values must rise.
+/// Whether two events wait for the same clock, so that their values must rise.
 bool comparable(const Trigger& first, const Trigger& second) {
   if (first.kind == TriggerKind::start)
     return second.kind == TriggerKind::time || second.kind == TriggerKind::filled_fraction;

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Tells gates that hang on the sprue by a runner from those that are the sprue itself.
+/// Whether a gate hangs on the sprue by a runner or is the sprue itself.
 enum class RunnerKind { none, resisting };
 
 /// Follows the triggers of all gates, and fills those that have opened: before a gate feeds what lies around
@@ -22,23 +22,23 @@ class GateControl {
   [[nodiscard]] const std::vector<Index>& nodes(std::size_t gate) const { return nodes_[gate]; }
   /// Notes where the front has arrived, and opens and closes what is due.
   void update(FillingState& state) const;
-  /// Tells whether all control volumes of a gate are full.
+  /// Whether all control volumes of a gate are full.
   [[nodiscard]] bool is_full(std::size_t gate, const FillingState& state) const;
   /// Links the open gates to the network; `open` receives their numbers.
   [[nodiscard]] std::vector<GateLink> links(const FillingState& state, std::vector<std::size_t>& open) const;
-  /// Tells the least filled fraction and time, above the present, at which a gate moves; infinity when none
+  /// The least filled fraction and time, above the present, at which a gate moves; infinity when none
   /// is known.
   [[nodiscard]] double next_fraction(const FillingState& state) const;
   [[nodiscard]] double next_time(const FillingState& state) const;
 
-  /// Tells the volume that the control volumes of a gate lack, m³.
+  /// The volume that the control volumes of a gate lack, m³.
   [[nodiscard]] double lacking(std::size_t gate, const FillingState& state) const;
-  /// Tells the volume that open gates lack, m³: those with a runner, or those that hang on the sprue without.
+  /// The volume that open gates lack, m³: those with a runner, or those that hang on the sprue without.
   [[nodiscard]] double lacking(RunnerKind runners, const FillingState& state) const;
-  /// Tells how long it takes until the first gate that fills through its runner is full, at the flow p/R from
+  /// How long it takes until the first gate that fills through its runner is full, at the flow p/R from
   /// a sprue at the pressure p, s; infinity where none fills.
   [[nodiscard]] double time_to_fill(const FillingState& state, double sprue_pressure) const;
-  /// Says which gate feeds a node, -1 for none: all nodes of an open gate that is full, else those that are
+  /// Notes which gate feeds a node, -1 for none: all nodes of an open gate that is full, else those that are
   /// not.
   void note_fed_nodes(const FillingState& state, std::vector<int>& gate_of) const;
   /// Gives every node of the gates that fill without a runner this share of what it lacks: writes its

@@ -48,7 +48,7 @@ constexpr double least_weight = 1e-9;
 /// gate are at its pressure.
 constexpr double least_logarithm = 1e-3;
 
-/// Gathers what the triangles on both sides of an edge that leaves a gate tell of it.
+/// What the triangles on both sides of an edge that leaves a gate say of it.
 struct LeavingEdge {
   Index edge = 0, outside = 0;
   double start = 0, end = 0;  ///< distances of its nodes from the centre, m
@@ -56,7 +56,7 @@ struct LeavingEdge {
   double weight = 0;          ///< cot/2 + cot/2
 };
 
-/// Tells the angle under which the half of an edge's dual face that lies in a triangle, from the middle of
+/// The angle under which the half of an edge's dual face that lies in a triangle, from the middle of
 /// the edge a-b to the circumcentre, is seen from a centre; positive where it turns as a, b, c do.
 double dual_angle(const std::array<Vec3, 3>& corner, const Vec3& centre) {
   const auto& [a, b, c] = corner;

@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Tells how far the ends of a gate lie off the surface of the triangles, m.
+/// How far the ends of a gate lie off the surface of the triangles, m.
 [[nodiscard]] double distance_from_part(const Gate& gate, const ShellMesh& mesh);
 
 /// Finds the nodes within the gate's radius of its line, in rising order; the nearest node when there are
@@ -25,7 +25,7 @@ struct GateEdge {
   double end = 0;     ///< of the node outside, m
   double radius = 0;  ///< of the gate, m
 
-  /// Tells by how much more the edge conducts where the front stands on it, in a control volume that is
+  /// How much more the edge conducts where the front stands on it, in a control volume that is
   /// filled to a share: ln(r_end/r)/ln(r_front/r).
   [[nodiscard]] double front_factor(double filled) const;
 };

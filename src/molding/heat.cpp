@@ -17,7 +17,7 @@ namespace {
 /// 500 K.
 constexpr double bearable_rise = 1000;
 
-/// Holds the equations of one node's layers; m(row, column) couples layers that exchange melt or heat.
+/// The equations of one node's layers; m(row, column) couples layers that exchange melt or heat.
 struct LayerSystem {
   std::array<double, most_half_layers * most_half_layers> matrix;
   std::array<double, most_half_layers> right;

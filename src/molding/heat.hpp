@@ -47,7 +47,7 @@ class HeatTransport {
 void require_bearable_temperatures(const ShellMesh& mesh, const FillingParams& params,
                                    const FillingState& state);
 
-/// Tells the heat that the melt holds above the mold's temperature, J.
+/// The heat that the melt holds above the mold's temperature, J.
 [[nodiscard]] double stored_heat(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,
                                  const FillingState& state);
 

@@ -1,4 +1,4 @@
-// Tells the velocity gradient in every layer of a node.
+// The velocity gradient in every layer of a node.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace fiberfate {
 
-/// Holds L_ij = d v_i / d x_j (1/s) of the layers of one node in its frame, row by row; [component][layer].
+/// L_ij = d v_i / d x_j (1/s) of the layers of one node in its frame, row by row; [component][layer].
 using LayerGradients = std::array<std::array<double, most_half_layers>, 9>;
 
 /// Finds the gradients: dv/dz from the pressure and the viscosity, d/dx and d/dy by least squares over the

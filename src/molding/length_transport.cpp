@@ -13,7 +13,7 @@ namespace {
 /// Share of all fibers that a class has at least where a gate lacks it, so that its length stays defined.
 constexpr double least_amount = 1e-12;
 
-/// Tells whether some gate has numbers of its own.
+/// Whether some gate has numbers of its own.
 bool numbers_differ(const MoldingFibers& fibers) {
   return !fibers.inlet.numbers.empty() ||
          std::any_of(fibers.gate_inlets.begin(), fibers.gate_inlets.end(),
@@ -22,7 +22,7 @@ bool numbers_differ(const MoldingFibers& fibers) {
 
 }  // namespace
 
-/// Holds what the layers of one node do to lengths.
+/// What the layers of one node do to lengths.
 struct LengthTransport::NodeScratch {
   std::array<double, most_half_layers> rate, viscosity, duration;
   std::vector<double> survival;  ///< [set][layer]: exp(-k_f tau) - 1

@@ -32,10 +32,10 @@ class LengthTransport {
 
   [[nodiscard]] std::size_t field_count() const { return field_begin_.back() + amount_count_; }
   [[nodiscard]] std::size_t field_begin(std::size_t set) const { return field_begin_[set]; }
-  /// Tells how many amounts stand behind the fields of the sets: none, or one a class.
+  /// How many amounts stand behind the fields of the sets: none, or one a class.
   [[nodiscard]] std::size_t amount_count() const { return amount_count_; }
   [[nodiscard]] const PhelpsSolver* phelps(std::size_t set) const { return phelps_[set].get(); }
-  /// Tells the lengths of the bins of a set of Phelps' law, m; none for others.
+  /// The lengths of the bins of a set of Phelps' law, m; none for others.
   [[nodiscard]] std::span<const double> bin_lengths(std::size_t set) const { return bin_lengths_[set]; }
 
   /// Advances the lengths of nodes whose upstream neighbours are done.

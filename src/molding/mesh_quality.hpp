@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Tells what a mesh costs in accuracy.
+/// What a mesh costs in accuracy.
 struct MeshQuality {
   /// Edges between the nodes of the nearest gate and the node that is farthest from all gates: cells along
   /// the longest way of the melt.
@@ -19,7 +19,7 @@ struct MeshQuality {
   /// triangles that ShellMesh could not turn into others, and conduct nothing.
   double cut_off = 0;
 
-  /// Tells by how much the pressure is wrong, rms over the filling and of the largest: 0.3/reach^1.5 and
+  /// By how much the pressure is wrong, rms over the filling and of the largest: 0.3/reach^1.5 and
   /// twice what is cut off, as strips of 2 to 40 cells and of sheared triangles show (tests/physics/molding).
   [[nodiscard]] double pressure_error() const;
 };

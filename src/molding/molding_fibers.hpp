@@ -1,4 +1,4 @@
-// Says how fibers enter the mold and which laws their orientation and length follow there.
+// How fibers enter the mold, and which laws their orientation and length follow there.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ enum class InletAxes {
   flow   ///< 1 along the flow out of the gate, 2 across it in the surface, 3 across the wall
 };
 
-/// Holds the fibers that come in through a gate. The mirror symmetry of the gap drops the components 13 and
+/// The fibers that come in through a gate. The mirror symmetry of the gap drops the components 13 and
 /// 23 in the frame of the surface.
 struct InletFibers {
   Mat3 orientation = Mat3::Identity() / 3;  ///< A2
@@ -29,7 +29,7 @@ struct InletFibers {
   std::vector<double> numbers = {};
 };
 
-/// Names one length law with its constants: a "set" of a sweep.
+/// One length law with its constants: a "set" of a sweep.
 struct LengthSet {
   std::string name = "length";
   std::shared_ptr<const AttritionLaw> law;  ///< of continuum/length_registry.hpp
@@ -52,7 +52,7 @@ struct FiberCoupling {
   DragViscosity drag = DragViscosity::matrix;  ///< that the length laws take
 };
 
-/// Holds all about fibers. Every set follows every class of initial length, all in one filling. Lengths in
+/// All about fibers. Every set follows every class of initial length, all in one filling. Lengths in
 /// relaxation laws are means or classes alike: for means make L_N and L_W two classes.
 struct MoldingFibers {
   std::optional<OrientationModel> orientation = {};

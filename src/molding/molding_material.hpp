@@ -1,4 +1,4 @@
-// Holds what filling needs to know of a melt.
+// What filling needs to know of a melt.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds a melt (with its fibers) of constant density and thermal properties.
+/// A melt (with its fibers) of constant density and thermal properties.
 struct MoldingMaterial {
   std::shared_ptr<const ViscosityLaw> viscosity;  ///< of the melt, or of the matrix where fibers are coupled
   double density = 1000;                          ///< kg/m³

@@ -1,4 +1,4 @@
-// Holds the settings of the injection molding machine.
+// The settings of the injection molding machine.
 #pragma once
 
 #include <limits>
@@ -6,27 +6,27 @@
 
 namespace fiberfate {
 
-/// Names what a profile's first column counts.
+/// What a profile's first column counts.
 enum class ProfileAgainst { time, filled_fraction };
-/// Names what happens between two rows of a profile.
+/// What happens between two rows of a profile.
 enum class ProfileForm { steps, ramps };
 
-/// Holds one row: from `at` (s, or filled fraction) on.
+/// One row: from `at` (s, or filled fraction) on.
 struct ProfileRow {
   double at = 0;
   double rate = 0;  ///< m³/s
 };
 
-/// Holds the flow rate that the machine aims at, against time or filled fraction.
+/// The flow rate that the machine aims at, against time or filled fraction.
 struct FlowProfile {
   std::vector<ProfileRow> rows = {};
   ProfileAgainst against = ProfileAgainst::time;
   ProfileForm form = ProfileForm::steps;
 
   [[nodiscard]] static FlowProfile constant(double rate) { return {{{0, rate}}}; }
-  /// Tells the rate at a time and filled fraction, m³/s; the last row holds for ever.
+  /// The rate at a time and filled fraction, m³/s; the last row holds for ever.
   [[nodiscard]] double at(double time, double filled_fraction) const;
-  /// Tells where the profile next jumps or bends after `position` (in units of `at`); infinity when never.
+  /// Where the profile next jumps or bends after `position` (in units of `at`); infinity when never.
   [[nodiscard]] double next_row(double position) const;
 };
 
@@ -37,7 +37,7 @@ struct FlowProfile {
 /// below that.
 inline constexpr double greatest_pressure = 1e9;
 
-/// Holds the machine's settings.
+/// The machine's settings.
 struct MoldingProcess {
   FlowProfile flow = {};
   double switchover_fraction = 1;  ///< filled fraction from which on pressure is controlled instead of flow

@@ -33,7 +33,7 @@ bool fed_by_fountain_at(const StepFlow& step, std::size_t node, std::size_t laye
 
 }  // namespace
 
-/// Holds the points that one thread takes at a time, layer by layer so that neighbours in a pack of eight
+/// The points that one thread takes at a time, layer by layer so that neighbours in a pack of eight
 /// turn at similar rates.
 struct OrientationTransport::Batch {
   std::vector<std::size_t> points;

@@ -22,7 +22,7 @@ class AlignedTable {
       entries_.push_back(
           aligned_composite(solid.composite, std::exp(step_ * static_cast<double>(i)), solid.model));
   }
-  /// Tells the composite of fibers of a length (m).
+  /// The composite of fibers of a length (m).
   [[nodiscard]] ThermoelasticProperties at(double length) const {
     const double place =
         std::clamp(std::log(length / diameter_) / step_, 0.0, static_cast<double>(count_ - 1) - 1e-9);
@@ -62,13 +62,13 @@ ThermoelasticProperties aligned_at(const FilledLengths& lengths, const AlignedTa
   return {sum.stiffness / shares, sum.thermal_stress / shares};
 }
 
-/// Names layers of half the gap, from the mid-plane outwards.
+/// Layers of half the gap, from the mid-plane outwards.
 struct LayerRange {
   std::size_t first = 0;
   std::size_t end = 0;
 };
 
-/// Tells the share of half the gap that layers take.
+/// The share of half the gap that layers take.
 double share_of(const GapLayers& layers, const LayerRange& range) {
   return layers.bounds()[range.end] - layers.bounds()[range.first];
 }

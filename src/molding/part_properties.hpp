@@ -8,14 +8,14 @@
 
 namespace fiberfate {
 
-/// Says what the solid is made of.
+/// What the solid is made of.
 struct PartSolid {
   CompositeMaterial composite;
   Homogenisation model = Homogenisation::mori_tanaka;
   double fiber_diameter = 19e-6;  ///< m
 };
 
-/// Holds the solid's properties in one triangle, gap-averaged.
+/// The solid's properties in one triangle, gap-averaged.
 struct TriangleProperties {
   Mat3 axes = Mat3::Identity();  ///< columns: 1 along most fibers in the surface, 2 across, 3 the normal
   EngineeringConstants constants;
@@ -28,7 +28,7 @@ struct TriangleProperties {
 [[nodiscard]] std::vector<TriangleProperties> triangle_properties(const FilledLengths& lengths,
                                                                   const PartSolid& solid);
 
-/// Holds the solid between two heights of the gap, and its mirror image on the other side of the mid-plane.
+/// The solid between two heights of the gap, and its mirror image on the other side of the mid-plane.
 struct Ply {
   double share = 0;  ///< of half the thickness
   std::vector<TriangleProperties> triangles;

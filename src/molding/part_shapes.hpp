@@ -13,13 +13,13 @@
 
 namespace fiberfate {
 
-/// Names what a part is.
+/// What a part is.
 enum class PartKind { file, plaque, disc, frame, ribbed, tailgate };
 
-/// Names where melt enters a plaque, disc or frame; `given` leaves it to [gates].
+/// Where melt enters a plaque, disc or frame; `given` leaves it to [gates].
 enum class PartGate { edge, fan, pin, centre, given };
 
-/// Says what a part looks like that is drawn, not read from a file; lengths in m. What a kind does not have
+/// What a part looks like that is drawn, not read from a file; lengths in m. What a kind does not have
 /// may be missing.
 struct PartOutline {
   PartKind kind = PartKind::plaque;
@@ -39,7 +39,7 @@ struct PartOutline {
   double fan_length = 0.03;
 };
 
-/// Holds a part before it is meshed.
+/// A part before it is meshed.
 struct PartShape {
   PatchedSurface surface;
   std::vector<Gate> gates;  ///< in flat coordinates, z = 0
@@ -50,7 +50,7 @@ struct PartShape {
 /// Draws any part but one from a file.
 [[nodiscard]] PartShape draw_part(const PartOutline& part);
 
-/// Tells the names of the nine gates of a tailgate and their flat coordinates (thesis table 14), m.
+/// The names of the nine gates of a tailgate and their flat coordinates (thesis table 14), m.
 [[nodiscard]] std::vector<Gate> tailgate_gates(double radius);
 
 }  // namespace fiberfate

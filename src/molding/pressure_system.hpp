@@ -10,13 +10,13 @@
 
 namespace fiberfate {
 
-/// Says where the front stands that starts at a gate.
+/// Where the front stands that starts at a gate.
 enum class GateFront {
   inside,  ///< control volumes of the gate are not full: p = 0 at the end of its runner
   passed   ///< all of them are: the gate feeds what lies around it
 };
 
-/// Holds an open gate's place in the network.
+/// An open gate's place in the network.
 struct GateLink {
   std::span<const Index> nodes;  ///< at one pressure, once the front has passed
   double resistance = 0;         ///< to the sprue, Pa s/m³; 0 puts the nodes at the sprue's pressure
@@ -27,7 +27,7 @@ struct GateLink {
   }
 };
 
-/// Holds the coefficients of one solution.
+/// The coefficients of one solution.
 struct Network {
   std::span<const char> wet;             ///< by node: takes part
   std::span<const double> conductances;  ///< by edge, m³/(Pa s)
@@ -35,7 +35,7 @@ struct Network {
   std::span<const double> sources;       ///< by node, m³/s
 };
 
-/// Holds the two parts of the solution, which is linear: p = rate · p_sprue_rate + p_sources.
+/// The two parts of the solution, which is linear: p = rate · p_sprue_rate + p_sources.
 struct PressureParts {
   std::vector<double> of_unit_rate;  ///< by node, Pa per m³/s through the sprue
   std::vector<double> of_sources;    ///< by node, Pa
@@ -52,7 +52,7 @@ class PressureSystem {
  public:
   explicit PressureSystem(const ShellMesh& mesh) : mesh_(&mesh) {}
 
-  /// Says which gates are open; the next solution analyses the pattern.
+  /// Sets which gates are open; the next solution analyses the pattern.
   void set_gates(std::vector<GateLink> open_gates);
   /// Solves. `covered` are the nodes of the pattern: they are chosen anew when a wet node is not among them
   /// (or there are none), and part of the state, since round-off depends on them. Raises SimulationFailure

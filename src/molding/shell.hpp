@@ -13,7 +13,7 @@ using Vec2 = Eigen::Vector2d;
 /// Chooses whether more than two triangles may share an edge, as where a rib stands on a plate.
 enum class Junctions { refused, allowed };
 
-/// Holds triangles of the middle surface, as a reader or mesher makes them.
+/// Triangles of the middle surface, as a reader or mesher makes them.
 struct Shell {
   std::vector<Vec3> nodes;                      ///< m
   std::vector<std::array<Index, 3>> triangles;  ///< nodes of each, the same way round seen from one side

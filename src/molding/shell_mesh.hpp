@@ -45,9 +45,9 @@ class ShellMesh {
   [[nodiscard]] const std::array<Index, 3>& corners(std::size_t triangle) const {
     return flow_.corners[triangle];
   }
-  /// Tells the thickness of a triangle of the flow, m.
+  /// The thickness of a triangle of the flow, m.
   [[nodiscard]] double thickness_of(std::size_t triangle) const { return flow_.thickness[triangle]; }
-  /// Tells how many edges of the shell the flow does not use, since others are better.
+  /// How many edges of the shell the flow does not use, since others are better.
   [[nodiscard]] std::size_t turned_edges() const { return flow_.turned; }
   [[nodiscard]] std::span<const ShellEdge> edges() const { return edges_; }
   /// Gives the edges of a triangle; edge k is opposite to its node k.
@@ -66,7 +66,7 @@ class ShellMesh {
   [[nodiscard]] double area(std::size_t node) const { return areas_[node]; }                        ///< m²
   [[nodiscard]] double volume(std::size_t node) const { return volumes_[node]; }                    ///< m³
   [[nodiscard]] double thickness(std::size_t node) const { return volumes_[node] / areas_[node]; }  ///< m
-  /// Tells the angle of the surface around a node: 2 pi inside, less at the edge of the part.
+  /// The angle of the surface around a node: 2 pi inside, less at the edge of the part.
   [[nodiscard]] double angle(std::size_t node) const { return angles_[node]; }
   [[nodiscard]] bool on_boundary(std::size_t node) const { return on_boundary_[node] != 0; }
   [[nodiscard]] double total_volume() const { return total_volume_; }  ///< m³

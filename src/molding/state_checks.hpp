@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Says how large the arrays of a state are.
+/// How large the arrays of a state are.
 struct StateShape {
   std::size_t nodes = 0;
   std::size_t layers = 0;      ///< of half the gap

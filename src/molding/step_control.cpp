@@ -63,7 +63,7 @@ void still_contents(const ShellMesh& mesh, const FillingState& state, StepFlow& 
   step.new_content = step.content;
 }
 
-/// Tells how long a step of at most `volume` at `rate` is: at most the aimed one, and not past an event.
+/// How long a step of at most `volume` at `rate` is: at most the aimed one, and not past an event.
 double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
                      const FillingState& state, double volume, double rate) {
   const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
@@ -83,7 +83,7 @@ double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const G
   return std::min(duration, time_ahead - state.time);
 }
 
-/// Says whether melt that stands short of the end has frozen off.
+/// Whether melt that stands short of the end has frozen off.
 FillingEnd end_of_standing_melt(const ShellMesh& mesh, const FillingState& state, const FlowField& field) {
   std::size_t frozen = 0, reached = 0;
   const std::size_t layers = state.rate.size() / mesh.node_count();

@@ -13,7 +13,7 @@
 
 namespace fiberfate {
 
-/// Tells what the machine wants: the profile's rate, below the pressure that it may have.
+/// What the machine wants: the profile's rate, below the pressure that it may have.
 [[nodiscard]] Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state);
 
 /// Notes pressure, rate and changes of control after a solution of the flow.
@@ -32,13 +32,13 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
 void stand_still(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
                  FillingState& state, StepFlow& step, FlowField& field);
 
-/// Tells how long the step is: the aimed volume, at most the control volumes at the front, and not past the
+/// How long the step is: the aimed volume, at most the control volumes at the front, and not past the
 /// next event.
 [[nodiscard]] double step_duration(const FillingParams& params, const ShellMesh& mesh,
                                    const GateControl& gates, const FillingState& state,
                                    const FlowField& field);
 
-/// Says whether and why the filling is at its end.
+/// Whether and why the filling is at its end.
 [[nodiscard]] FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh,
                                         const FillingState& state, const FlowField& field);
 

@@ -1,4 +1,4 @@
-// Holds what flows where in one step: between nodes, through gates, across the gap.
+// What flows where in one step: between nodes, through gates, across the gap.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct LayerTransfer {
   double volume = 0;  ///< m³, positive
 };
 
-/// Holds volumes (m³) that move in one step. Every field that rides on the melt moves by them: a layer of a
+/// Volumes (m³) that move in one step. Every field that rides on the melt moves by them: a layer of a
 /// node then holds, mixed,
 ///   (content value + sum of inflow · value of its origin)/(content + inflow),
 /// with the new values of the origins: implicit, first-order upwind, no limit to the step. Origins are found
@@ -38,7 +38,7 @@ struct StepFlow {
   std::vector<LayerTransfer> transfers;      ///< [node][layers - 1]
   std::vector<std::uint8_t> transfer_count;  ///< by node
 
-  /// Tells what comes into `node` from a neighbour; negative when it goes there.
+  /// What comes into `node` from a neighbour; negative when it goes there.
   [[nodiscard]] double inflow(std::size_t node, const ShellNeighbour& from) const {
     const double volume = edge_volume[from.edge];
     return static_cast<Index>(node) < from.node ? -volume : volume;
@@ -48,7 +48,7 @@ struct StepFlow {
   }
 };
 
-/// Tells which share of what flows between two nodes is in layer k: the mean of both where both are full,
+/// The share of what flows between two nodes that is in layer k: the mean of both where both are full,
 /// else that of the one it comes from (the front inherits its shares).
 [[nodiscard]] inline double layer_share(const FlowField& field, const StepFlow& step, std::size_t layers,
                                         std::size_t from, std::size_t to, std::size_t k) {

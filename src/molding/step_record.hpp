@@ -11,7 +11,7 @@
 
 namespace fiberfate {
 
-/// Holds of one step what the transport of lengths reads.
+/// What the transport of lengths reads of one step.
 struct RecordedStep {
   StepFlow flow;
   FlowField field;  ///< `inverse_viscosity` and `shares` only
@@ -19,7 +19,7 @@ struct RecordedStep {
   std::vector<double> rate;  ///< by point, 1/s
 };
 
-/// Holds the steps of a filling from its start. Takes about 0.4 kB a step, node and ten layers of half the
+/// The steps of a filling from its start. Takes about 0.4 kB a step, node and ten layers of half the
 /// gap.
 class StepRecord {
  public:

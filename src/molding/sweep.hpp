@@ -14,7 +14,7 @@
 
 namespace fiberfate {
 
-/// Tells in how many nodes a level is parted: an even number of parts that keeps two threads busy in small
+/// How many nodes a part of a level has: an even number of parts that keeps two threads busy in small
 /// levels, of at most 16 nodes in large ones. The same for any number of threads.
 [[nodiscard]] inline std::size_t nodes_of_a_part(std::size_t nodes_of_the_level) {
   constexpr std::size_t most = 16;

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Says how far to look: pairs are listed whose axes are nearer than swelling · (sum of radii) + reach +
+/// How far to look: pairs are listed whose axes are nearer than swelling · (sum of radii) + reach +
 /// skin.
 struct NeighbourRange {
   double swelling = 1;
@@ -18,7 +18,7 @@ struct NeighbourRange {
   double skin = 0;
 };
 
-/// Holds an inclusive range of boxes in one direction; beyond the cell it counts on into the images.
+/// An inclusive range of boxes in one direction; beyond the cell it counts on into the images.
 struct BoxRange {
   int low, high;
 };

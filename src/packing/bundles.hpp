@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds bundles as a packing of their own: every bundle is one thick fiber.
+/// Bundles as a packing of their own: every bundle is one thick fiber.
 struct BundlePlan {
   PackingRequest bundles;
   std::vector<std::vector<std::size_t>> members;  ///< by bundle: the fibers of the request that it holds

@@ -1,4 +1,4 @@
-// Holds the fibers while they are packed: chains of exactly inextensible rods, in units of the thickest
+// The fibers while they are packed: chains of exactly inextensible rods, in units of the thickest
 // diameter.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Holds nodes and shapes as struct of arrays. Unit of length: the diameter of the thickest fiber; unit of
+/// Nodes and shapes as a struct of arrays. Unit of length: the diameter of the thickest fiber; unit of
 /// stiffness: the contact stiffness of the first stage; every node has the mass 1.
 struct Chains {
   std::vector<Vec3> position;  ///< one entry a node, unwrapped

@@ -1,4 +1,4 @@
-// Tells how densely fibers of a given orientation can be packed.
+// How densely fibers of a given orientation can be packed.
 #include "packing/densest_fraction.hpp"
 
 #include <Eigen/Eigenvalues>

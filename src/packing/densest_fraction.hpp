@@ -1,4 +1,4 @@
-// Tells how densely fibers can be packed.
+// How densely fibers can be packed.
 #pragma once
 
 #include "base/constants.hpp"

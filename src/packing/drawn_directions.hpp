@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds one unit direction a fiber and what they stand for.
+/// One unit direction a fiber and what they stand for.
 struct DrawnDirections {
   std::vector<Vec3> directions;
   Mat3 asked;          ///< A2 that the request wants, length-weighted

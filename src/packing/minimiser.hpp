@@ -12,7 +12,7 @@
 
 namespace fiberfate {
 
-/// Holds the energy that is minimised (docs/theory/packing.md), in units of packing.
+/// The energy that is minimised (docs/theory/packing.md), in units of packing.
 struct PackingEnergy {
   RepulsionLaw repulsion;
   double bending = 1;         ///< multiplies the fibers' own bending stiffness
@@ -21,7 +21,7 @@ struct PackingEnergy {
   double orientation = 0;     ///< k of the couple k (A2 − A2*)·p on every rod
 };
 
-/// Tells how far a minimisation is.
+/// How far a minimisation is.
 struct PackingMeasure {
   double largest_overlap = 0;  ///< in sums of two radii, of rods and walls; negative when none touch
   double largest_bend = 0;  ///< largest |x_{k+1} − 2 x_k + x_{k−1}| / l² = curvature, per unit of length

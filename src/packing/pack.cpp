@@ -89,7 +89,7 @@ void require_few_images(const PackingRequest& request) {
   }
 }
 
-/// Tells whether a packing at rest is as good as was asked.
+/// Whether a packing at rest is as good as the request wants.
 bool may_rest(const PackingReport& rest, const PackingRequest& request) {
   return rest.largest_overlap < request.overlap_tolerance && rest.minimum_radius >= request.minimum_radius &&
          (!holds_orientation(request.start) || rest.orientation_error < request.orientation_tolerance);

@@ -13,14 +13,14 @@
 
 namespace fiberfate {
 
-/// Names how the fibers lie before they are pushed apart.
+/// How the fibers lie before they are pushed apart.
 enum class PackingStart {
   dispersed,   ///< straight fibers with centres anywhere in the cell
   bundles,     ///< parallel fibers in bundles, as pellets hold them; the bundles lie anywhere
   compressed,  ///< the published route: planar fibers at 2.5 % by volume whose cell is then compressed
 };
 
-/// Tells whether packings with this start keep the orientation that was asked for.
+/// Whether packings with this start keep the orientation that the request wants.
 [[nodiscard]] constexpr bool holds_orientation(PackingStart start) {
   return start != PackingStart::compressed;
 }
@@ -77,7 +77,7 @@ struct PackingProgress {
   double orientation_error = 0;  ///< largest component of |A2 − asked|
 };
 
-/// Holds a packing and what is known of it.
+/// A packing and what is known of it.
 struct PackingResult {
   FiberState state;  ///< fibers in the order of the request, wrapped into the cell, at rest
   PackingReport report;

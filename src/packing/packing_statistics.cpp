@@ -40,7 +40,7 @@ Chains chains_of(const FiberState& state, double unit) {
   return chains;
 }
 
-/// Tells whether the nearest point at place s of rod k is nearest among its neighbours along the fiber too; a
+/// Whether the nearest point at place s of rod k is nearest among its neighbours along the fiber too; a
 /// hinge belongs to the rod that ends there. `away` points from the other fiber to this one.
 bool is_locally_nearest(const Chains& chains, std::size_t fiber, std::size_t k, double s, const Vec3& away) {
   if (s <= 0) return k == chains.begin_node(fiber);

@@ -19,13 +19,13 @@ struct PairDistanceBin {
   double random = 0;     ///< the same expected of fibers of these directions placed at random
 };
 
-/// Says how a packing was left.
+/// How a packing was left.
 enum class PackingEnd {
   separated,  ///< without overlap, bent fibers held by nothing
   at_rest,    ///< in equilibrium of bending and contact under the law that will be run
 };
 
-/// Says what was asked for and what came out.
+/// What a packing was to be and what it is.
 struct PackingReport {
   Mat3 orientation_asked = Mat3::Zero();    ///< A2, length-weighted
   Mat3 orientation_reached = Mat3::Zero();  ///< A2, length-weighted

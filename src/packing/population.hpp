@@ -36,7 +36,7 @@ struct FiberBlank {
   std::uint16_t material_id = 0;  ///< index into the materials
 };
 
-/// Holds what a concentration comes to.
+/// What a concentration comes to.
 struct Population {
   std::vector<FiberMaterial> materials;  ///< one a species
   std::vector<FiberBlank> fibers;

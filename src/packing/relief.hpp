@@ -16,7 +16,7 @@ namespace fiberfate {
 /// it lies in others among several thousand random places.
 class Relief {
  public:
-  /// Says what fibers that are put back are for a while, in multiples of what they are.
+  /// What fibers that are put back are for a while, in multiples of what they are.
   struct Alteration {
     double stiffness = 1, swelling = 1, firmness = 1;
   };

@@ -12,7 +12,7 @@
 
 namespace fiberfate {
 
-/// Names a rod near another one.
+/// A rod near another one.
 struct NeighbourRod {
   std::size_t fiber = 0;
   std::size_t node = 0;       ///< where it begins

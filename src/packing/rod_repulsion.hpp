@@ -20,7 +20,7 @@ struct alignas(64) ImageShift {
   double unused[5] = {0, 0, 0, 0, 0};
 };
 
-/// Holds the law F = min(k g, F0 (1 + x + x²/2)) + h (core r − d)₊, g = swelling r + reach − d > 0, x = decay
+/// The law F = min(k g, F0 (1 + x + x²/2)) + h (core r − d)₊, g = swelling r + reach − d > 0, x = decay
 /// (1 − d/r)₊, where d is the distance of the axes and r the sum of the two radii; lengths in units of
 /// packing (see chains.hpp).
 struct RepulsionLaw {
@@ -33,7 +33,7 @@ struct RepulsionLaw {
   double core = 1;          ///< of that many times the sum of the radii
 };
 
-/// Holds the load on the two ends of a rod.
+/// The load on the two ends of a rod.
 struct alignas(64) RepulsionLoad {
   double on_begin[3] = {0, 0, 0};
   double on_end[3] = {0, 0, 0};
@@ -42,7 +42,7 @@ struct alignas(64) RepulsionLoad {
   double energy = 0;  ///< half of the energy of each of the rod's pairs (harmonic part)
 };
 
-/// Names the arrays that a kernel reads: [begin[i], begin[i + 1]) of `rod` and `image` are the neighbours of
+/// The arrays that a kernel reads: [begin[i], begin[i + 1]) of `rod` and `image` are the neighbours of
 /// rod i, padded to full packs with a dummy rod far away. Both rods of a pair list it, so that loads are
 /// gathered, never scattered.
 struct RepulsionInput {
@@ -53,7 +53,7 @@ struct RepulsionInput {
   const ImageShift* shifts;
 };
 
-/// Names the centres of rods in order of their slots, and how far each reaches from its centre (half length +
+/// The centres of rods in order of their slots, and how far each reaches from its centre (half length +
 /// swollen radius).
 struct CentreArrays {
   const double* x;

@@ -1,4 +1,4 @@
-// Tells how much room there is for the axis of one more fiber.
+// The room that there is for the axis of one more fiber.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Names a straight line.
+/// A straight line.
 struct StraightAxis {
   Vec3 centre = Vec3::Zero();
   Vec3 direction = Vec3::UnitX();  ///< unit vector

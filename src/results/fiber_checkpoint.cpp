@@ -69,7 +69,7 @@ class Loader {
   const Hdf5File& file_;
 };
 
-/// Names every part of the state once, for saving and for loading.
+/// Visits every part of the state once, by name, for saving and for loading.
 template <class Visitor, class State>
 void visit_state(Visitor& visitor, State& state) {
   visitor.group("state");
@@ -133,7 +133,7 @@ void read_rest(const Hdf5File& file, Checkpoint& checkpoint) {
   checkpoint.resolved_case = file.read_text("case");
 }
 
-/// Tells whether offsets and arrays belong together, so that damage that HDF5 does not see is caught here.
+/// Whether offsets and arrays belong together, so that damage that HDF5 does not see is caught here.
 bool is_whole(const FiberState& state) {
   const auto nodes = state.position.size();
   const auto fibers = state.birth_id.size();

@@ -21,7 +21,7 @@ struct RunRecord {
   PhaseTimes times;
 };
 
-/// Holds a run at one moment.
+/// A run at one moment.
 struct Checkpoint {
   FiberState state;
   RunRecord record;

@@ -15,7 +15,7 @@
 namespace fiberfate {
 namespace {
 
-/// Holds shapes as a file gives them, and the cell where it tells one.
+/// Shapes as a file gives them, and the cell where it gives one.
 struct FiberShapes {
   std::vector<std::vector<Vec3>> fibers;
   std::vector<std::uint16_t> kinds;  ///< one a fiber; empty: all are of the first kind

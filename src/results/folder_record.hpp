@@ -32,7 +32,7 @@ class FolderRecord {
   [[nodiscard]] const std::set<std::string>& files() const { return files_; }
   /// Digest of the case that the run began with.
   [[nodiscard]] std::optional<std::uint64_t> case_digest() const { return case_digest_; }
-  /// Tells whether the record was made just now.
+  /// Whether the record was made just now.
   [[nodiscard]] bool is_new() const { return is_new_; }
 
   /// Adds a file before it is made, so that the record is never behind the disk; raises StorageError.

@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Holds the nodes of one fiber of a legacy deck, m.
+/// The nodes of one fiber of a legacy deck, m.
 struct LegacyFiber {
   std::vector<Vec3> nodes;
   bool is_stationary = false;  ///< some node is marked as held in place

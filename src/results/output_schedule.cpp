@@ -1,4 +1,4 @@
-// Tells when the outputs of a run are due.
+// When the outputs of a run are due.
 #include "results/output_schedule.hpp"
 
 #include <algorithm>

@@ -27,7 +27,7 @@ class RowSink {
   /// Makes the rows so far survive a crash of the machine; raises StorageError.
   virtual void sync() = 0;
   [[nodiscard]] virtual std::int64_t rows() const = 0;
-  /// Tells the rows so far by a number; 0 where nobody can change them.
+  /// A number that stands for the rows so far; 0 where nobody can change them.
   [[nodiscard]] virtual std::uint64_t digest() const { return 0; }
 };
 
@@ -61,7 +61,7 @@ class Recorder {
   [[nodiscard]] virtual std::unique_ptr<FrameSink> open_frames(const std::string& name,
                                                                std::int64_t kept) = 0;
 
-  /// Tells whether an earlier run left a checkpoint, sound or not.
+  /// Whether an earlier run left a checkpoint, sound or not.
   [[nodiscard]] virtual bool has_checkpoint() const = 0;
   /// Saves a checkpoint and keeps the one before; raises StorageError.
   virtual void save_checkpoint(const CheckpointBody& body) = 0;

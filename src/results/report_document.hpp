@@ -1,4 +1,4 @@
-// Declares the report document: sections of facts, curves, histograms, tables, fields, fibers and parts, and
+// The report document: sections of facts, curves, histograms, tables, fields, fibers and parts, and
 // its rendering.
 #pragma once
 
@@ -17,10 +17,10 @@ namespace fiberfate {
 /// "s", "Pa", "Pa s", "N", "J", "W", "1/m"). NaN and infinity are shown as missing. A label "L_N" is set as L
 /// with subscript N. docs/formats/report.md describes the JSON that this becomes.
 
-/// Says whether an axis is linear or logarithmic.
+/// Whether an axis is linear or logarithmic.
 enum class AxisScale { linear, logarithmic };
 
-/// Names an axis and its unit.
+/// An axis and its unit.
 struct ReportAxis {
   std::string label;
   std::string unit = {};  ///< empty when there is none
@@ -35,10 +35,10 @@ enum class SectionRole { by_kind, picture, outcome, chart, wide, detail };
 /// Whether a fact is among the few that a reader wants first.
 enum class Prominence { ordinary, headline };
 
-/// Says how a curve is drawn.
+/// How a curve is drawn.
 enum class CurveStyle { line, dashed, points };
 
-/// Holds a labelled value: text, a number or a tensor.
+/// A labelled value: text, a number or a tensor.
 struct Fact {
   std::string label;
   std::variant<std::string, double, std::int64_t, Mat3> value;
@@ -56,7 +56,7 @@ struct FactsSection {
   SectionRole role = SectionRole::by_kind;
 };
 
-/// Holds one curve.
+/// One curve.
 struct ReportSeries {
   std::string label;
   std::vector<double> values;
@@ -79,7 +79,7 @@ struct LinesSection {
   SectionRole role = SectionRole::by_kind;
 };
 
-/// Holds the counts of one histogram.
+/// The counts of one histogram.
 struct HistogramFrame {
   std::string label;
   std::vector<double> values;  ///< one less than there are edges
@@ -99,7 +99,7 @@ struct HistogramSection {
   SectionRole role = SectionRole::by_kind;
 };
 
-/// Names a column of a table.
+/// A column of a table.
 struct TableColumn {
   std::string label;
   std::string unit = {};
@@ -132,7 +132,7 @@ struct HeatmapSection {
   SectionRole role = SectionRole::by_kind;
 };
 
-/// Holds the fibers at one time; all lengths in m.
+/// The fibers at one time; all lengths in m.
 struct FiberFrame {
   double time_s = 0;
   Mat3 lattice = Mat3::Zero();  ///< columns are the lattice vectors; zero: there is no cell
@@ -146,7 +146,7 @@ struct FiberFrame {
       {};  ///< first node along the birth fiber, one a fiber; empty: unknown
 };
 
-/// Tells when a hinge broke.
+/// When a hinge broke.
 struct FiberBreak {
   double time_s = 0;
   std::int32_t birth = 0;  ///< birth fiber
@@ -166,36 +166,36 @@ struct FibersSection {
   NodeEncoding encoding = NodeEncoding::exact;
 };
 
-/// Holds a field at the nodes of a part.
+/// A field at the nodes of a part.
 struct ShellField {
   std::string label;
   std::string unit = {};
   std::vector<std::vector<float>> frames = {};  ///< one a time of the section, or one that holds at all times
 };
 
-/// Says how a place on a part is marked.
+/// How a place on a part is marked.
 enum class PlaceMark { gate, place, trap };
 
-/// Names a place on a part.
+/// A place on a part.
 struct ShellPlace {
   std::string label;
   PlaceMark mark = PlaceMark::place;
   Vec3 at = Vec3::Zero();  ///< m
 };
 
-/// Holds lines on a part, as pairs of points.
+/// Lines on a part, as pairs of points.
 struct ShellLines {
   std::string label;
   std::vector<float> segments = {};  ///< xyz xyz a segment, m
 };
 
-/// Holds symmetric tensors at the nodes of a part, 11 22 33 23 31 12 each.
+/// Symmetric tensors at the nodes of a part, 11 22 33 23 31 12 each.
 struct ShellTensors {
   std::string label;
   std::vector<float> values = {};  ///< of the last time
 };
 
-/// Holds directions at places of a part; their length is their size.
+/// Directions at places of a part; their length is their size.
 struct ShellDirections {
   std::string label;
   std::string unit = {};
@@ -203,7 +203,7 @@ struct ShellDirections {
   std::vector<float> vectors = {};  ///< xyz
 };
 
-/// Holds profiles from the mid-plane to the wall at the last time.
+/// Profiles from the mid-plane to the wall at the last time.
 struct ShellLayers {
   std::vector<double> heights = {};   ///< of the layers, over half of the thickness
   std::vector<float> thickness = {};  ///< at each node, m
@@ -235,7 +235,7 @@ struct ShellSection {
 using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection,
                                    FibersSection, ShellSection>;
 
-/// Holds what a report shows, from top to bottom.
+/// What a report shows, from top to bottom.
 struct ReportDocument {
   std::string title;           ///< what kind of report this is
   std::string case_name = {};  ///< of the case or its folder; the page's main heading

@@ -1,4 +1,4 @@
-// Declares the HTML page into which a report document is put.
+// The HTML page into which a report document is put.
 #pragma once
 
 #include <string_view>

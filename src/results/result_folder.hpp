@@ -29,7 +29,7 @@ class ResultFolder {
   [[nodiscard]] std::string failure() const { return file("failure.h5"); }
   [[nodiscard]] std::string log() const { return file("log.txt"); }
   [[nodiscard]] std::string report() const { return file("report.html"); }
-  /// Names a file of a study's own.
+  /// The path of a file of a study's own.
   [[nodiscard]] std::string file(const std::string& name) const { return path_ + '/' + name; }
 
  private:
@@ -54,7 +54,7 @@ class OwnedFolder {
   ~OwnedFolder();
 
   [[nodiscard]] const ResultFolder& folder() const { return folder_; }
-  /// Names a file that the run is about to make. Raises StorageError when there is one that the program did
+  /// Claims a file that the run is about to make. Raises StorageError when there is one that the program did
   /// not make.
   std::string make(const std::string& name);
   /// Writes case.resolved.toml and remembers what it is.

@@ -93,7 +93,7 @@ void write_summary(const std::string& path, const RunSummary& summary) {
   replace_file(path, json.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
-/// Holds the parsed file, so that the header need not know the JSON library.
+/// The parsed file, so that the header need not know the JSON library.
 struct SummaryFile::Document {
   Json json;
 };

@@ -30,9 +30,9 @@ struct LengthChoices {
 [[nodiscard]] KeyRows<LengthChoices> initial_length_rows();
 [[nodiscard]] KeyRows<LengthChoices> length_form_rows();
 
-/// Tells whether both or one of the means at the start is given.
+/// Whether both or one of the means at the start is given.
 [[nodiscard]] bool gives_means(const LengthChoices& fibers);
-/// Tells whether a law follows lengths in bins.
+/// Whether a law follows lengths in bins.
 [[nodiscard]] bool needs_bins(const LawChoice& law);
 /// Finds mean lengths of which one is missing, or that contradict each other.
 void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker);

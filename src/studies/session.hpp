@@ -38,9 +38,9 @@ class Session {
 
   [[nodiscard]] Recorder& recorder() const { return recorder_; }
   [[nodiscard]] const SessionOptions& options() const { return options_; }
-  /// Tells whether this run goes on from a checkpoint that the recorder has.
+  /// Whether this run goes on from a checkpoint that the recorder has.
   [[nodiscard]] bool continues() const;
-  /// Tells whether the caller wants the run to stop.
+  /// Whether the caller wants the run to stop.
   [[nodiscard]] bool stop_requested() const;
   /// Ends the run where the caller wants it to stop and nothing of it can be kept; raises NoOutcome with the
   /// message.

@@ -37,7 +37,7 @@ struct Study : CaseKind {
   /// Computes what the case asks for. Raises NoOutcome where it was stopped before there is anything,
   /// SimulationFailure, StorageError and, where only the computation can tell, InputError.
   std::function<Outcome(const CaseValues&, Session&)> compute;
-  /// Gathers what the report shows from the files of a result folder.
+  /// Makes the report from the files of a result folder.
   std::function<ReportDocument(const CaseValues&, const ResultFolder&)> report;
 };
 

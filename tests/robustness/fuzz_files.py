@@ -45,7 +45,6 @@ PART = """study = "molding"
 kind = "file"
 file = "{file}"
 thickness = "2 mm"
-gate = "given"
 [gates]
 places = [["G", "0 mm", "0 mm", "0 mm"]]
 [material]

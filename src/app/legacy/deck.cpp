@@ -15,7 +15,7 @@ namespace {
 constexpr double simple_shear_case = 1;
 constexpr double table_case = 1848;
 
-/// Holds the deck while it is translated.
+/// The deck while it is translated.
 struct Translation {
   const LegacyNamelist& namelist;
   const std::string& folder;
@@ -29,7 +29,7 @@ struct Translation {
 
 enum class Necessity { required, optional };
 
-/// Says what becomes of one legacy key: `apply` stores its value and tells where.
+/// What becomes of one legacy key: `apply` stores its value and says where.
 struct LegacyRule {
   const char* key;
   Necessity necessity;

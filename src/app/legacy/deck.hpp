@@ -9,14 +9,14 @@
 
 namespace fiberfate {
 
-/// Says what became of one legacy key.
+/// What became of one legacy key.
 struct LegacyNote {
   std::string key;
   std::string value;    ///< as written; empty when it is not given
   std::string outcome;  ///< "contact.friction = 0.2", or "not used: …"
 };
 
-/// Holds a translated deck.
+/// A translated deck.
 struct LegacyDeck {
   ShearCellCase values;
   std::vector<LegacyFiber> fibers;

@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds one entry of a namelist: `key = values` or `key(index) = value`.
+/// One entry of a namelist: `key = values` or `key(index) = value`.
 struct NamelistEntry {
   std::string key;                  ///< in lower case
   std::string written;              ///< the key as it stands in the file
@@ -18,7 +18,7 @@ struct NamelistEntry {
   int line = 0;
 };
 
-/// Holds a namelist.
+/// A namelist.
 class LegacyNamelist {
  public:
   /// Reads `&input … /`: comments start with '!', commas are blanks, repeats "3*1.5d-3" are unfolded. Raises

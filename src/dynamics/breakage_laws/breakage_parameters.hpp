@@ -5,7 +5,7 @@
 
 namespace fiberfate {
 
-/// Holds the law of breakage and its constants (thesis section 3.3.3).
+/// The law of breakage and its constants (thesis section 3.3.3).
 struct BreakageParameters {
   std::string law = "none";           ///< a row of breakage_laws()
   double critical_radius = 204.6e-6;  ///< R_crit of `fixed`, m; the default is the loop test's mean

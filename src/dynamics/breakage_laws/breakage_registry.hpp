@@ -13,7 +13,7 @@ namespace fiberfate {
 /// Describes one law.
 struct BreakageRow {
   LawText text;
-  /// Tells whether a hinge breaks at a check.
+  /// Whether a hinge breaks at a check.
   bool (*breaks)(const BreakageParameters& breakage, const CheckedHinge& hinge);
   /// Returns the radius of curvature below which every hinge breaks, m.
   double (*certain_radius)(const BreakageParameters& breakage);

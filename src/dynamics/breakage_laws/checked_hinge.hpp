@@ -5,7 +5,7 @@
 
 namespace fiberfate {
 
-/// Names a hinge for ever: where it lies on the fiber that was there at the beginning.
+/// The name of a hinge for ever: where it lies on the fiber that was there at the beginning.
 struct HingeName {
   std::uint32_t birth_id = 0;
   std::uint32_t birth_node = 0;

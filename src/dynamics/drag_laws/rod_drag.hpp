@@ -11,7 +11,7 @@ struct StrainResistance {
   double across = 0;  ///< s_2, to strain across it
 };
 
-/// Holds the resistance of a rod with direction p in a flow u(x) = kappa·x of rate of strain D and spin
+/// The resistance of a rod with direction p in a flow u(x) = kappa·x of rate of strain D and spin
 /// Omega:
 ///   F = [parallel p p + perpendicular (I − p p)] · (u(c) − v_c)
 ///   T = rotational (Omega + shape p × (D·p) − omega), across p

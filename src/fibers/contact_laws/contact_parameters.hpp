@@ -5,7 +5,7 @@
 
 namespace fiberfate {
 
-/// Holds the laws of contact and their constants.
+/// The laws of contact and their constants.
 struct ContactParameters {
   std::string law = "exponential";  ///< of the normal force: a row of contact_laws()
   double force_constant = 500;  ///< A of "exponential", N/m: F_N = A D exp(−B (d/a − 2)); 0: no contact
@@ -32,14 +32,14 @@ struct ContactPair {
   [[nodiscard]] double mean_radius() const { return 0.5 * (first.radius + second.radius); }
 };
 
-/// Says where two rods are to each other.
+/// Where two rods are to each other.
 template <class Number>
 struct ContactGap {
   Number distance;  ///< of the axes, m
   Number sine;      ///< of the angle between them, in [0, 1]
 };
 
-/// Holds what packing takes of a law (its soft contact, packing/rod_repulsion.hpp): the force rises in
+/// What packing takes of a law (its soft contact, packing/rod_repulsion.hpp): the force rises in
 /// proportion to the overlap up to `force`, within `ramp` centred on the distance `cutoff`, and then grows
 /// with 1 + x + x²/2, x = decay (2 − d/a). No force: fibers do not feel each other at rest.
 struct RestingContact {

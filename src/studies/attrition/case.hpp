@@ -52,7 +52,7 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] LengthHistory length_history(const AttritionFlowChoices& flow);
-/// Tells the times of series.csv, those of the histograms among them, s.
+/// The times of series.csv, those of the histograms among them, s.
 [[nodiscard]] std::vector<double> output_times(const AttritionCase& values);
 
 }  // namespace fiberfate

@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Follows the lengths through the history of flow: tables series and histogram.
 [[nodiscard]] Outcome compute_attrition(const AttritionCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_attrition(const AttritionCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

@@ -99,11 +99,11 @@ void validate_moldings(const CalibrationCase& values, CaseChecker& checker);
 void validate_calibration(const CalibrationCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_calibration(const CalibrationCase& values);
 
-/// Tells whether the case calibrates an orientation law.
+/// Whether the case calibrates an orientation law.
 [[nodiscard]] inline bool calibrates_orientation(const CalibrationCase& values) {
   return !values.orientation.name.empty();
 }
-/// Tells whether the conditions are moldings: parts that fill.
+/// Whether the conditions are moldings: parts that fill.
 [[nodiscard]] inline bool calibrates_in_molds(const CalibrationCase& values) {
   return !values.conditions.moldings.empty();
 }

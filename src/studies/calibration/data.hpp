@@ -8,10 +8,10 @@
 
 namespace fiberfate {
 
-/// Names the kinds of observation.
+/// The kinds of observation.
 enum class Observed { number_average, weight_average, final_length, rate_constant, histogram, orientation };
 
-/// Holds one measured series of one condition.
+/// One measured series of one condition.
 struct MeasuredSeries {
   std::string name;           ///< "50 rpm: L_W"
   std::string unit;           ///< SI

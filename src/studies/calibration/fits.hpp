@@ -15,7 +15,7 @@ struct FitName {
   std::string prefix = {}, heading = {};
 };
 
-/// Names the fits that a case asks for.
+/// The fits that a case asks for.
 [[nodiscard]] std::vector<FitName> fit_names(const CalibrationCase& values);
 /// Picks the series that belong to a fit.
 [[nodiscard]] std::vector<MeasuredSeries> series_of(const FitName& fit,

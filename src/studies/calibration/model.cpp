@@ -22,7 +22,7 @@ constexpr double usual_temperature = 523.15;  // K: the melt of the thesis' expe
 /// Differences of the fit are taken over 1e-4: integration must be finer by far.
 constexpr double integration_tolerance = 1e-11;
 
-/// Holds what is measured in one condition, ready to be predicted.
+/// What is measured in one condition, ready to be predicted.
 struct Condition {
   LengthFlow flow;
   LengthStart start;             ///< attrition

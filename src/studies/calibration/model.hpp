@@ -23,7 +23,7 @@ namespace fiberfate {
 /// single values or a histogram is given back as it is.
 [[nodiscard]] MeasuredSeries refined(const MeasuredSeries& series, std::size_t count);
 
-/// Tells the shear rate and viscosity of a condition.
+/// The shear rate and viscosity of a condition.
 [[nodiscard]] LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition);
 
 }  // namespace fiberfate

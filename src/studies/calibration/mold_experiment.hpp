@@ -21,7 +21,7 @@ class MoldExperiment {
   /// Takes a case of the study molding; the law named here replaces the case's own.
   MoldExperiment(MoldingCase values, const std::string& law);
 
-  /// Tells whether the flow feels the fibers.
+  /// Whether the flow feels the fibers.
   [[nodiscard]] bool is_coupled() const { return values_.fibers.coupling != CouplingChoice::none; }
   [[nodiscard]] const std::vector<NamedPlace>& places() const { return values_.output.places; }
   /// Predicts the mean lengths at every place, m, with the law's parameters in their order, SI. Raises

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Names the rows of one fit in the tables, and where its sections belong.
+/// The rows of one fit in the tables, and where its sections belong.
 struct MoldedFit {
   double number = 0;  ///< in the column `fit`
   std::string prefix;

@@ -30,7 +30,7 @@ std::size_t place_of(const MoldExperiment& experiment, const std::string& name) 
   return static_cast<std::size_t>(found - places.begin());
 }
 
-/// Holds one measured series, as its condition predicts it.
+/// One measured series, as its condition predicts it.
 struct Link {
   std::size_t condition = 0, place = 0, samples = 0;
   Observed observed = Observed::number_average;

@@ -13,7 +13,7 @@ namespace fiberfate {
 /// InputError.
 [[nodiscard]] MoldingCase molding_of(const CalibrationCase& values, std::size_t condition);
 
-/// Tells the mean length at the gates of the kind that was measured in a condition: L_W where nothing else
+/// The mean length at the gates of the kind that was measured in a condition: L_W where nothing else
 /// was, otherwise L_N; m.
 [[nodiscard]] double inlet_length(const CalibrationCase& values, std::size_t condition);
 
@@ -26,7 +26,7 @@ namespace fiberfate {
 /// length is a cubic spline over the swept parameter: the only one that may be free.
 [[nodiscard]] FitModel mold_model(const CalibrationCase& values, const std::vector<MeasuredSeries>& series);
 
-/// Tells whether a flow feels the fibers in any of the series' moldings.
+/// Whether a flow feels the fibers in any of the series' moldings.
 [[nodiscard]] bool feels_fibers(const CalibrationCase& values, const std::vector<MeasuredSeries>& series);
 
 /// Puts the samples of every series together: one observation each, their mean. Errors (4.7) are of means.

@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Fits the case's law: tables fit, curves, profile, sweep, bootstrap and optimum (docs/formats/process.md).
 [[nodiscard]] Outcome compute_calibration(const CalibrationCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_calibration(const CalibrationCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

@@ -101,7 +101,7 @@ OwnValues own_values(const FiberState& state, const PackingReport& packing) {
           {"lattice_m", state.cell.lattice}};
 }
 
-/// Holds everything that the study made.
+/// Everything that the study made.
 struct Cluster {
   FiberState state;
   PackingReport packing;
@@ -160,7 +160,7 @@ Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   return outcome;
 }
 
-/// Tells in a line what came out, and warns of what did not.
+/// Logs in a line what came out, and warns of what did not.
 void tell(const Cluster& cluster, Recorder& log) {
   log.note(fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
                        100 * volume_fraction(cluster.state)));

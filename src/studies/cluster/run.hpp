@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Packs the fibers and leaves them as a frame and a checkpoint.
 [[nodiscard]] Outcome compute_cluster(const ClusterCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

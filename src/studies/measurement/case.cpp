@@ -14,7 +14,7 @@
 namespace fiberfate {
 namespace {
 
-/// Tells the faults of a file in one, each with its place there.
+/// Gathers the faults of a file in one, each with its place there.
 std::string told_together(const std::vector<InputProblem>& problems) {
   constexpr std::size_t most_told = 5;
   std::string text;

@@ -28,7 +28,7 @@ DelimitedTable read_list(const std::string& path) {
   return table;
 }
 
-/// Tells whether a heading speaks of lengths, in one of a few languages.
+/// Whether a heading speaks of lengths, in one of a few languages.
 bool says_length(std::string heading) {
   std::transform(heading.begin(), heading.end(), heading.begin(),
                  [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });

@@ -15,18 +15,18 @@ struct LeftOut {
   std::size_t empty_lines = 0;
   std::size_t zero_lengths = 0;
 
-  /// Tells it: "1 empty line and 2 rows of zero length are left out"; nothing where there is nothing.
+  /// In words: "1 empty line and 2 rows of zero length are left out"; nothing where there is nothing.
   [[nodiscard]] std::string text() const;
 };
 
-/// Holds the lengths of a list, m.
+/// The lengths of a list, m.
 struct LengthList {
   MeasuredLengths fibers;
   std::string column;  ///< its heading
   LeftOut left_out;
 };
 
-/// Holds the directions of a list with their weights.
+/// The directions of a list with their weights.
 struct DirectionList {
   MeasuredDirections fibers;
   LeftOut left_out;

@@ -80,7 +80,7 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome, Session& 
   outcome.tables.push_back({"distribution", distribution_table(fibers)});
 }
 
-/// Tells how densely directions lie, over the mean; a direction and its opposite are one.
+/// How densely directions lie, over the mean; a direction and its opposite are one.
 CsvTable pole_figure(const MeasuredDirections& fibers) {
   std::vector<double> density(static_cast<std::size_t>(azimuth_bins * height_bins), 0.0);
   double sum = 0;

@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Evaluates the lists: tables histogram, distribution and directions.
 [[nodiscard]] Outcome compute_measurement(const MeasurementCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_measurement(const MeasurementCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

@@ -127,7 +127,7 @@ void validate_coordinates(const MoldingCase& values, CaseChecker& checker) {
   check("output.places", values.output.places);
 }
 
-/// Names what a fault of the solver's parameters belongs to: a key of the case, and the row of it that
+/// What a fault of the solver's parameters belongs to: a key of the case, and the row of it that
 /// begins with a name.
 struct FaultPlace {
   std::string key;

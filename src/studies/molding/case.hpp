@@ -1,4 +1,4 @@
-// Holds a case of the study molding: a part, its gates, a material, a machine, and the fibers in the melt.
+// A case of the study molding: a part, its gates, a material, a machine, and the fibers in the melt.
 #pragma once
 
 #include <optional>
@@ -18,25 +18,25 @@
 
 namespace fiberfate {
 
-/// Holds one event of a valve as it is written: a trigger and the name of its sensor.
+/// One event of a valve as it is written: a trigger and the name of its sensor.
 struct ValveEvent {
   Trigger trigger = {};
   std::string sensor;  ///< empty: the gate itself
 };
 
-/// Holds when a gate of [gates] opens, closes, opens again, ...
+/// When a gate of [gates] opens, closes, opens again, ...
 struct ValveTimes {
   std::string gate;
   std::vector<ValveEvent> events;
 };
 
-/// Holds numbers that belong to one gate.
+/// Numbers that belong to one gate.
 struct GateNumbers {
   std::string gate;
   std::vector<double> numbers;
 };
 
-/// Holds [gates].
+/// The keys of [gates].
 struct GateChoices {
   std::vector<NamedPlace> places;
   double radius = 1e-3;                  ///< m
@@ -49,7 +49,7 @@ struct GateChoices {
   std::vector<GateNumbers> numbers;       ///< of fibers, one a class of [fibers]
 };
 
-/// Holds [material]: what the heat equation needs.
+/// The keys of [material]: what the heat equation needs.
 struct MaterialChoices {
   std::string preset;
   double density = 0;              ///< kg/m³
@@ -58,7 +58,7 @@ struct MaterialChoices {
   double no_flow_temperature = 0;  ///< K
 };
 
-/// Holds [machine].
+/// The keys of [machine].
 struct MachineChoices {
   std::optional<double> flow_rate;                                ///< m³/s
   std::optional<double> fill_time;                                ///< s
@@ -75,10 +75,10 @@ struct MachineChoices {
   std::optional<double> longest_time;         ///< s
 };
 
-/// Names how the flow feels the fibers.
+/// How the flow feels the fibers.
 enum class CouplingChoice { none, informed_isotropic };
 
-/// Holds [fibers].
+/// The keys of [fibers].
 struct MoldingFiberChoices {
   std::optional<double> length;                   ///< m
   std::vector<std::vector<double>> distribution;  ///< rows (length m, number)
@@ -96,7 +96,7 @@ struct MoldingFiberChoices {
   DragViscosity drag = DragViscosity::matrix;
 };
 
-/// Holds [composite]: what stiffness and expansion need.
+/// The keys of [composite]: what stiffness and expansion need.
 struct CompositeChoices {
   Homogenisation model = Homogenisation::mori_tanaka;
   IsotropicElasticity fiber = {73e9, 0.22};
@@ -105,17 +105,17 @@ struct CompositeChoices {
   double matrix_expansion = 1.1e-4;  ///< 1/K
 };
 
-/// Names what was measured.
+/// What was measured.
 enum class MeasuredMean { number_average, weight_average };
 
-/// Holds one measured mean length.
+/// One measured mean length.
 struct MeasuredLength {
   std::string place;
   MeasuredMean mean = MeasuredMean::number_average;
   double length = 0;  ///< m
 };
 
-/// Holds [sweep] and [measured].
+/// The keys of [sweep] and [measured].
 struct MoldingSweep {
   std::string parameter;
   std::optional<double> lower, upper;
@@ -124,7 +124,7 @@ struct MoldingSweep {
   std::vector<MeasuredLength> measured;
 };
 
-/// Holds [output].
+/// The keys of [output].
 struct MoldingOutput {
   std::int64_t frames = 20;
   std::vector<NamedPlace> places;

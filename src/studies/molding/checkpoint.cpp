@@ -56,7 +56,7 @@ class Loader {
   const Hdf5File& file_;
 };
 
-/// Names every number and plain array of the state once.
+/// Visits every number and plain array of the state once, by name.
 template <class Visitor>
 void visit_state(Visitor& visitor, FillingState& state) {
   visitor.number("time", state.time);
@@ -182,7 +182,7 @@ Shell read_shell(const Hdf5File& file) {
   return shell;
 }
 
-/// Tells the sizes of a state whose part has so many nodes, from the arrays that say them.
+/// The sizes of a state whose part has so many nodes, from the arrays that give them.
 StateShape shape_of(const FillingState& state, std::size_t nodes) {
   StateShape shape;
   shape.nodes = nodes;

@@ -20,7 +20,7 @@ struct MoldingRecord {
   double greatest_pressure = 0;  ///< at the sprue, Pa
 };
 
-/// Holds a filling at one moment; the shell is kept since the file that it came from may be gone.
+/// A filling at one moment; the shell is kept since the file that it came from may be gone.
 struct MoldingCheckpoint {
   Shell shell;
   FillingState state;

@@ -20,7 +20,7 @@ constexpr double thickest = 0.1;  // m; more is a mistake in the unit
 /// Elements of one fault that are listed; of a thousand alike a few are enough.
 constexpr std::size_t most_listed = 3;
 
-/// Tells which elements have a fault: "elements 3, 4, 5 and 283 more have no thickness".
+/// Lists the elements that have a fault: "elements 3, 4, 5 and 283 more have no thickness".
 std::string told(const std::vector<std::size_t>& elements, const char* one, const char* many) {
   if (elements.empty()) return "";
   const std::size_t listed = std::min(elements.size(), most_listed);

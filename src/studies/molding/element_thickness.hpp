@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Tells whether the case gives thicknesses by element.
+/// Whether the case gives thicknesses by element.
 [[nodiscard]] inline bool has_element_thickness(const PartChoices& part) {
   return !part.thickness_file.empty() || !part.thickness_data.empty();
 }

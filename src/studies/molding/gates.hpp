@@ -10,7 +10,7 @@ namespace fiberfate {
 /// Places the sensors. Raises InputError as position_of, and for a name of several words.
 [[nodiscard]] std::vector<Sensor> sensors_of(const GateChoices& choices, const MoldingPart& part);
 
-/// Gathers the gates of part and case with their runners and valves. Raises InputError, with the key, for a
+/// The gates of part and case with their runners and valves. Raises InputError, with the key, for a
 /// gate or sensor that there is not.
 [[nodiscard]] std::vector<Gate> gates_of(const GateChoices& choices, const MoldingPart& part);
 

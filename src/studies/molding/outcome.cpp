@@ -1,4 +1,4 @@
-// Gathers what a filling came to.
+// What a filling came to.
 #include "studies/molding/outcome.hpp"
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
   return sum / weights;  // NaN where there is no melt
 }
 
-/// Names the mean lengths of a place: those that measurements are compared with, those of all fibers of the
+/// The mean lengths of a place: those that measurements are compared with, those of all fibers of the
 /// sample, and the means over the gap.
 constexpr const char* place_lengths[] = {"L_N_m",        "L_W_m",          "L_N_sample_m",
                                          "L_W_sample_m", "L_N_gap_mean_m", "L_W_gap_mean_m"};
@@ -170,7 +170,7 @@ CsvTable histogram_table(const MoldingFields& fields, const std::vector<std::vec
   return table;
 }
 
-/// Gathers the samples of every place and mean with what the sweep predicts there.
+/// The samples of every place and mean with what the sweep predicts there.
 std::vector<SweptLength> swept_lengths(const MoldingFields& fields,
                                        const std::vector<std::vector<Index>>& samples) {
   const std::vector<NamedPlace>& places = fields.values().output.places;
@@ -245,7 +245,7 @@ std::int64_t count_marks(const FillingState& state, NodeMark mark) {
   return std::count(state.mark.begin(), state.mark.end(), mark);
 }
 
-/// Tells when what happened; what happens again gets a number: G1_gate_opened_2_s.
+/// Adds when what happened; what happens again gets a number: G1_gate_opened_2_s.
 void add_events(const Filling& filling, RunSummary& summary) {
   const FillingParams& params = filling.params();
   std::map<std::string, int> counts;

@@ -1,4 +1,4 @@
-// Gathers what a filling came to: values at places, profiles across the gap, the sweep, the summary.
+// What a filling came to: values at places, profiles across the gap, the sweep, the summary.
 #pragma once
 
 #include "results/outcome.hpp"
@@ -7,7 +7,7 @@
 
 namespace fiberfate {
 
-/// Gathers what a filling came to: tables places, profiles, histogram and sweep, and the study's own keys of
+/// What a filling came to: tables places, profiles, histogram and sweep, and the study's own keys of
 /// the summary.
 [[nodiscard]] Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record);
 

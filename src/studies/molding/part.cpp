@@ -164,7 +164,7 @@ void set_thickness(const PartChoices& part, const SurfaceMesh& flat, Shell& shel
   }
 }
 
-/// Tells what fits together of all that thicknesses may come from.
+/// Finds what contradicts what of all that thicknesses may come from.
 void validate_thickness(const PartChoices& part, CaseChecker& checker) {
   if (!has_element_thickness(part)) {
     if (!part.thickness)
@@ -205,7 +205,7 @@ void refuse_closed_skin(const Shell& shell) {
                      "export the middle surface of the part and give its thickness");
 }
 
-/// Tells about how many triangles a part will have; 0 for files.
+/// About how many triangles a part will have; 0 for files.
 double foreseen_triangles(const PartChoices& part) {
   double area = part.length.value_or(0) * part.width.value_or(0);
   if (part.kind == PartKind::disc) area = 0.785 * part.diameter.value_or(0) * part.diameter.value_or(0);

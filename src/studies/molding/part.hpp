@@ -19,7 +19,7 @@ struct RegionThickness {
   double thickness = 0;  ///< m
 };
 
-/// Holds [part]: a drawing, or a file, and the thickness of its walls.
+/// The keys of [part]: a drawing, or a file, and the thickness of its walls.
 struct PartChoices : PartOutline {
   std::string file;
   double file_unit = 1e-3;                   ///< length of one unit of the file, m
@@ -34,7 +34,7 @@ struct PartChoices : PartOutline {
 void describe_part(KeyTable& table, PartChoices& part);
 void validate_part(const PartChoices& part, CaseChecker& checker);
 
-/// Holds a part ready to be filled.
+/// A part ready to be filled.
 struct MoldingPart {
   Shell shell;
   std::vector<std::string> regions;

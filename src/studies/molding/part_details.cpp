@@ -15,7 +15,7 @@ namespace {
 constexpr double zero_celsius = 273.15;         // K
 constexpr std::size_t most_values = 2'000'000;  // of all fields and layers together: some 11 MB of HTML
 
-/// Names an array of layers.vtkhdf as the page shows it.
+/// An array of layers.vtkhdf as the page shows it.
 struct LayerField {
   const char *array, *label, *unit;
   double offset = 0;

@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Tells whether a case gives what properties need: an orientation law and lengths.
+/// Whether a case gives what properties need: an orientation law and lengths.
 [[nodiscard]] bool has_properties(const MoldingCase& values);
 /// Takes from a case what its part is made of.
 [[nodiscard]] PartSolid solid_of(const MoldingCase& values);
@@ -19,7 +19,7 @@ namespace fiberfate {
 [[nodiscard]] PolyFrame properties_frame(const Filling& filling,
                                          const std::vector<TriangleProperties>& properties);
 
-/// Names solvers of structures. Abaqus has triangles of three nodes that bend (S3); CalculiX makes solid
+/// Solvers of structures. Abaqus has triangles of three nodes that bend (S3); CalculiX makes solid
 /// wedges of those, which bend half as far as they should, and takes six nodes (S6).
 enum class StructuralSolver { abaqus, calculix };
 

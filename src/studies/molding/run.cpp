@@ -15,7 +15,7 @@
 namespace fiberfate {
 namespace {
 
-/// Holds one filling from its start or its last checkpoint to the next stop.
+/// One filling from its start or its last checkpoint to the next stop.
 class MoldingRun {
  public:
   MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
@@ -24,7 +24,7 @@ class MoldingRun {
 
  private:
   [[nodiscard]] std::optional<StopReason> reason_to_stop(std::int64_t first_step) const;
-  /// Holds where a step began: pressures and rates of the state after it are those that held from there on.
+  /// Where a step began: pressures and rates of the state after it are those that held from there on.
   struct Moment {
     double time = 0;             ///< s
     double filled_fraction = 0;  ///< 1

@@ -11,7 +11,7 @@ namespace fiberfate {
 /// checkpoints. Goes on from the last checkpoint where the session does; the result is that of a run that was
 /// never interrupted. Raises SimulationFailure with the state saved.
 [[nodiscard]] Outcome compute_molding(const MoldingCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder);
 /// Writes the part with its stiffness for a structural solver to `out`/part.inp and tells its path. Raises
 /// InputError when the case follows no orientation or lengths.

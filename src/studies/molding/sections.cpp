@@ -18,7 +18,7 @@ namespace {
 constexpr double zero_celsius = 273.15;         // K
 constexpr std::size_t most_values = 1'500'000;  // of one field over all times that a page can carry
 
-/// Names an array of result.vtkhdf as the page shows it.
+/// An array of result.vtkhdf as the page shows it.
 struct ShownField {
   const char* array;
   const char* label;

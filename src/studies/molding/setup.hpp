@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Holds everything for one filling.
+/// Everything for one filling.
 struct MoldingSetup {
   MoldingPart part;
   FillingParams params;
@@ -26,7 +26,7 @@ struct MoldingSetup {
 /// Finds where a named place is, m; raises InputError for flat coordinates on a part that has none.
 [[nodiscard]] Vec3 position_of(const NamedPlace& place, const MoldingPart& part);
 
-/// Tells the values of a sweep; empty without one.
+/// The values of a sweep; empty without one.
 [[nodiscard]] std::vector<double> sweep_values(const MoldingSweep& sweep);
 
 }  // namespace fiberfate

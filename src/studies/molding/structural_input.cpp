@@ -12,7 +12,7 @@
 namespace fiberfate {
 namespace {
 
-/// Names the material and axes of a ply in a triangle.
+/// The name of the material and axes of a ply in a triangle.
 std::string ply_name(std::size_t triangle, std::size_t ply) {
   return fmt::format("{}P{}", triangle + 1, ply + 1);
 }

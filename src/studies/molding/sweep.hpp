@@ -5,13 +5,13 @@
 
 namespace fiberfate {
 
-/// Holds what was measured of one mean length at one place, with what every value of the sweep predicts.
+/// What was measured of one mean length at one place, with what every value of the sweep predicts.
 struct SweptLength {
   std::vector<double> measured;   ///< of every sample, m
   std::vector<double> predicted;  ///< one a value, m
 };
 
-/// Holds the errors of a sweep and its optima.
+/// The errors of a sweep and its optima.
 struct SweepOutcome {
   std::vector<double> errors;      ///< average error (4.8) of each value, %
   double best_value = 0;           ///< of the least average error, refined between the values

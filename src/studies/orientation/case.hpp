@@ -76,7 +76,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 
 /// The scalar rate sqrt(2 D:D) of a velocity gradient, 1/s.
 [[nodiscard]] double rate_of(const Mat3& gradient);
-/// Tells phi N_p: as given, or of semi-dilute fibers of the given volume fraction and aspect ratio.
+/// phi N_p: as given, or of semi-dilute fibers of the given volume fraction and aspect ratio.
 [[nodiscard]] double fiber_term(const OrientationFiberChoices& fibers);
 
 /// Makes what a valid case asks for.

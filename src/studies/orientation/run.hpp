@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Follows the orientation tensor through the history of flow: table series.
 [[nodiscard]] Outcome compute_orientation(const OrientationCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_orientation(const OrientationCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

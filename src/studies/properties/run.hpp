@@ -8,7 +8,7 @@ namespace fiberfate {
 
 /// Predicts the properties: table modulus.
 [[nodiscard]] Outcome compute_properties(const PropertiesCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_properties(const PropertiesCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

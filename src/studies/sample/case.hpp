@@ -85,17 +85,17 @@ void describe_sample(KeyTable& table, SampleCase& sample);
 /// The keys of [contact] that a packing at rest obeys too: force_constant, decay, cutoff, ramp.
 [[nodiscard]] KeyRows<ContactParameters> contact_law_rows();
 
-/// Tells the materials of all kinds.
+/// The materials of all kinds.
 [[nodiscard]] std::vector<FiberMaterial> materials(const SampleCase& sample);
 
 /// Finds what contradicts what.
 void validate_sample(const SampleCase& sample, CaseChecker& checker);
 
-/// Tells what a valid sample asks of plan_population() (source "generate"): the kinds of fibers, at least
+/// What plan_population() gets of a valid sample (source "generate"): the kinds of fibers, at least
 /// one.
 [[nodiscard]] std::vector<FiberSpecies> species(const SampleCase& sample);
 [[nodiscard]] ConcentrationRequest concentration(const SampleCase& sample);
-/// Tells what a valid sample asks of pack(), but for the fibers and the cell, which plan_population() works
+/// What pack() gets of a valid sample, but for the fibers and the cell, which plan_population() works
 /// out.
 [[nodiscard]] PackingRequest packing_request(const SampleCase& sample, const ContactParameters& contact,
                                              std::uint64_t seed);

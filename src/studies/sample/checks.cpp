@@ -62,7 +62,7 @@ void validate_concentration(CaseChecker& checker) {
   }
 }
 
-/// Names the table of a further kind (from 0).
+/// The name of the table of a further kind (from 0).
 std::string kind_table(std::size_t kind) {
   return KeyTable::repeated_name("fibers.more_kinds", kind);
 }
@@ -98,7 +98,7 @@ void validate_cell(const SampleCase& sample, CaseChecker& checker) {
                   fmt::format("give edges of at least {} diameters", fewest_diameters_a_cell));
 }
 
-/// Tells roughly how many rods a sample has, without making them.
+/// About how many rods a sample has, without making them.
 double expected_rods(const SampleCase& sample) {
   const FiberChoices& fibers = sample.fibers;
   const double rod = fibers.rod_length.value_or(fibers.diameter);

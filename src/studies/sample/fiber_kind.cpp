@@ -37,7 +37,7 @@ void require_both(const std::string& first, const std::string& second, const std
                 fmt::format("not given, but {} is", lacks_first ? second : first), remedy);
 }
 
-/// Tells which key of a histogram is at fault, if one is.
+/// Finds which key of a histogram is at fault, if one is.
 std::string blamed(const std::string& key, const FiberKind& kind) {
   const LengthHistogram& histogram = kind.length_histogram;
   const bool flat = histogram.edges.size() == histogram.heights.size() + 1 &&

@@ -38,14 +38,14 @@ struct FiberKind {
 /// Adds the tables of a kind's laws of length: [table.length_histogram] and [table.length_distribution].
 void describe_length_laws(KeyTable& keys, const std::string& table, FiberKind& kind);
 
-/// Names the keys by which the kind in `table` may give its lengths.
+/// The keys by which the kind in `table` may give its lengths.
 [[nodiscard]] std::vector<std::string> length_keys(const std::string& table);
 /// Finds what contradicts what in the kind that `table` describes.
 void validate_fiber_kind(const FiberKind& kind, const std::string& table, CaseChecker& checker);
 
-/// Tells the law of the lengths of a kind.
+/// The law of the lengths of a kind.
 [[nodiscard]] LengthLaw length_law(const FiberKind& kind);
-/// Tells the material of a kind.
+/// The material of a kind.
 [[nodiscard]] FiberMaterial material(const FiberKind& kind);
 
 }  // namespace fiberfate

@@ -13,14 +13,14 @@ namespace fiberfate {
 
 inline constexpr const char* packing_stopped = "stopped while packing; resuming will pack again";
 
-/// Says what the fibers are made for.
+/// What the fibers are made for.
 struct StartRequest {
   const ContactParameters& contact;  ///< under which a packing comes to rest
   Boundary boundary_y = Boundary::periodic;
   std::uint64_t seed = 1;
 };
 
-/// Holds fibers at time zero, at rest.
+/// Fibers at time zero, at rest.
 struct StartingFibers {
   FiberState state;
   std::optional<PackingReport> packing;  ///< where they were packed

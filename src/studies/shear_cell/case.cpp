@@ -46,7 +46,7 @@ void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   }
 }
 
-/// Tells whether a law draws the radius at which a hinge breaks.
+/// Whether a law draws the radius at which a hinge breaks.
 void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
   const BreakageParameters& breakage = values.dynamics.breakage;
   if (!checker.is_sound("breakage.law")) return;

@@ -51,7 +51,7 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values);
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_shear_cell(const ShearCellCase& values);
 
-/// Gathers what the motion of fibers takes, with the seed of the run.
+/// What the motion of fibers takes, with the seed of the run.
 [[nodiscard]] DynamicsParameters dynamics_parameters(const ShearCellCase& values);
 /// Makes the flow history of a valid case.
 [[nodiscard]] FlowHistory flow_history(const FlowChoices& flow);
@@ -60,9 +60,9 @@ void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 /// Radius of curvature that counts as critical: that of the law `fixed`, or the one below which the other
 /// laws break every hinge, m.
 [[nodiscard]] double critical_radius(const BreakageParameters& breakage);
-/// Tells the simulated time between rows of series.csv, s.
+/// The simulated time between rows of series.csv, s.
 [[nodiscard]] double series_interval(const ShearCellCase& values);
-/// Tells the simulated time between frames of result.vtkhdf, s.
+/// The simulated time between frames of result.vtkhdf, s.
 [[nodiscard]] double frame_interval(const ShearCellCase& values);
 
 }  // namespace fiberfate

@@ -18,7 +18,7 @@
 namespace fiberfate {
 namespace {
 
-/// Holds one run from its start or its last checkpoint to the next stop.
+/// One run from its start or its last checkpoint to the next stop.
 class ShearCellRun {
  public:
   ShearCellRun(const ShearCellCase& values, Session& session, Checkpoint from);

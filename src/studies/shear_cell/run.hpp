@@ -10,7 +10,7 @@ namespace fiberfate {
 /// the session does; the result is that of a run that was never interrupted. Raises SimulationFailure with
 /// the state saved.
 [[nodiscard]] Outcome compute_shear_cell(const ShearCellCase& values, Session& session);
-/// Gathers what the report shows from the files of a result folder.
+/// Makes the report from the files of a result folder.
 ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder& folder);
 
 }  // namespace fiberfate

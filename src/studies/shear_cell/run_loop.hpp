@@ -10,7 +10,7 @@
 
 namespace fiberfate {
 
-/// Says when to stop.
+/// When to stop.
 struct RunLimits {
   double end = 0;                        ///< simulated time, s
   StopReason at_end = StopReason::done;  ///< what reaching it means
@@ -19,7 +19,7 @@ struct RunLimits {
   std::function<bool()> stop_requested = {};
 };
 
-/// Gathers what is done between steps.
+/// What is done between steps.
 struct RunActions {
   std::function<double(double)> next_output;  ///< first time after the given one at which output is due, s
   std::function<void()> after_step;           ///< collects what the step produced

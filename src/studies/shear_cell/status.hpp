@@ -5,7 +5,7 @@
 
 namespace fiberfate {
 
-/// Tells how far a run is.
+/// How far a run is.
 struct RunStatus {
   double time = 0;              ///< simulated, s
   double begin = 0;             ///< simulated time at which this process began, s
