@@ -172,12 +172,13 @@ TEST(ContactSearch, PushesAxesThatCrossApartAcrossBoth) {
   EXPECT_EQ(std::abs(found.begin()->second.normal.z()), 1);
 }
 
-/// A straight fiber 171 times as long as its cell, in 40 rods: it runs beside images of itself.
+/// A straight fiber 171 times as long as its cell, in 40 rods, that runs beside its image (150, 47, 27).
 FiberState fiber_of_many_cells() {
   FiberState state;
   state.materials = {{1e-6, 73e9, 2550}};
   state.cell = rectangular_cell(Vec3::Constant(3e-4));
-  const Vec3 step = 171 * 3e-4 / 40 * Vec3(1, 0.3137, 0.1771).normalized();
+  const Vec3 towards_image = state.cell.shift({150, 47, 27}) + Vec3(0, 1e-5, 0);
+  const Vec3 step = 171 * 3e-4 / 40 * towards_image.normalized();
   std::vector<Vec3> nodes;
   for (int k = 0; k <= 40; ++k) nodes.emplace_back((k - 20) * step);
   append_fiber(state, {nodes, 0});

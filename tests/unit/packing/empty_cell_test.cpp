@@ -23,7 +23,7 @@ TEST(BoxGrid, HasOneBoxInAFlatCellWhereItIsLow) {
   const Chains chains = random_chains(rectangular_cell({1e5, 1e5, 20}), 2, 10, 5);
   const BoxGrid grid(chains, {1, 0, 1});
   EXPECT_LE(grid.count().prod(), 64 * 20);
-  EXPECT_GT(grid.count()[0], 10);
+  EXPECT_GE(grid.count()[0], 10);
 }
 
 TEST(RodNeighbours, AreFoundInALargeCell) {
