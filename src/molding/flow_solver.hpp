@@ -24,8 +24,8 @@ struct Drive {
 /// from node to node F = w (p_i - p_j), w = sum over triangles of S cot/2, which conserves volume. Obtuse
 /// pairs of triangles, whose w would be negative, do not conduct. The edge to a node of the front that is
 /// filled to the share f is 1/2 + f of its length long, where p = 0. Viscosity and pressure are iterated:
-/// rate = h zeta |grad p|/eta, at fixed flow (Picard on rates). No pressure exceeds `greatest_pressure`: flow
-/// that would need more is slower.
+/// rate = h zeta |grad p|/eta, at fixed flow (Picard on rates). Neither the machine nor the excess of
+/// full nodes makes more than `greatest_pressure`: flow that would need more is slower.
 class FlowSolver {
  public:
   FlowSolver(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers);

