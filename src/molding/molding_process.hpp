@@ -33,8 +33,8 @@ struct FlowProfile {
 /// Turns ram speeds (m/s, in the column `rate`) into flow rates: speed times the area of the barrel.
 [[nodiscard]] FlowProfile flow_of_ram(FlowProfile speeds, double barrel_diameter);
 
-/// Pressure above which nothing drives flow, Pa: machines end at 0.2 to 0.5 GPa, and viscosity laws are fitted
-/// below that.
+/// Pressure above which nothing drives flow, Pa: machines end at 0.2 to 0.5 GPa, and viscosity laws are
+/// fitted below that.
 inline constexpr double greatest_pressure = 1e9;
 
 /// The machine's settings.
