@@ -20,6 +20,7 @@
 #include "app/command_report.hpp"
 #include "app/command_resume.hpp"
 #include "app/command_run.hpp"
+#include "app/environment.hpp"
 #include "app/gallery.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -91,6 +92,25 @@ void add_overwrite(CLI::App& command, Existing& existing, const std::string& wha
       "Replace " + what + " there already");
 }
 
+/// Checks a count; CLI11's own words for its range have 160 digits.
+CLI::Validator at_least_one() {
+  const auto complaint = [](const std::string& text) {
+    const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    return digits && text.find_first_not_of('0') != std::string::npos
+               ? std::string()
+               : fmt::format("{} is not a whole number of at least 1", text);
+  };
+  return {complaint, "", "at least one"};
+}
+
+/// Reads the time at which a run stops.
+double time_to_stop(const std::string& text) {
+  const double time = quantity("--until", text, "s");
+  if (time > 0) return time;
+  throw InputError(
+      {{"command line", 0, 0, "--until", text, "is not a time after the start", "give more than 0 s"}});
+}
+
 void add_limits(CLI::App& command, RunOptions& options, std::string& until) {
   command.add_option("--threads", options.session.threads, "Threads, instead of run.threads")
       ->type_name("N")
@@ -98,7 +118,7 @@ void add_limits(CLI::App& command, RunOptions& options, std::string& until) {
   command.add_option("--until", until, "Stop at this simulated time, \"0.5 s\"")->type_name("TIME");
   command.add_option("--steps", options.session.steps, "Make at most so many steps now")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   command
       .add_option("--progress", options.progress,
                   "How to show progress: auto, line (for a terminal), log (a line now and then), none")
@@ -155,8 +175,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   add_changes(*run, commands.run.changes);
   add_overwrite(*run, commands.run.existing, "a result");
   run->callback([&commands] {
-    if (!commands.run_until.empty())
-      commands.run.session.until = quantity("--until", commands.run_until, "s");
+    if (!commands.run_until.empty()) commands.run.session.until = time_to_stop(commands.run_until);
     commands.status = run_run(commands.run);
   });
 
@@ -166,8 +185,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   resume->add_option("dir", commands.resume.out, "The result folder")->required()->type_name("DIR");
   add_limits(*resume, commands.resume, commands.resume_until);
   resume->callback([&commands] {
-    if (!commands.resume_until.empty())
-      commands.resume.session.until = quantity("--until", commands.resume_until, "s");
+    if (!commands.resume_until.empty()) commands.resume.session.until = time_to_stop(commands.resume_until);
     commands.status = run_resume(commands.resume);
   });
 }
@@ -260,6 +278,7 @@ int run_command_line(int argument_count, const char* const* arguments) {
       fmt::print(stderr, "{}", app.help());
       return static_cast<int>(ExitStatus::bad_input);
     }
+    check_environment();
     app.parse(argument_count, arguments);
     return commands.status;
   } catch (const CLI::Success& answer) {  // --help, --version

@@ -67,24 +67,26 @@ def test_resuming_a_packing_that_is_complete_says_so(packed):
     assert (packed / "summary.json").read_bytes() == before
 
 
-def test_a_signal_stops_packing_and_resume_packs_again(tmp_path):
-    text = CLUSTER.replace('"0.5 mm"', '"2.5 mm"', 1).replace('"8 %"', '"20 %"').replace('"0.5 mm"', '"1.1 mm"')
-    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    process = subprocess.Popen([PROGRAM, "run", tmp_path / "case.toml", "--out", tmp_path / "r"],
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    while not (tmp_path / "r" / "log.txt").exists():
+def stop_while_packing(folder, *words):
+    """Sends a signal to a program that packs, and returns what it said."""
+    log = folder / "log.txt"
+    before = log.read_text(encoding="utf-8").count("packing") if log.exists() else 0
+    process = subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while not log.exists() or log.read_text(encoding="utf-8").count("packing") == before:
         time.sleep(0.01)
     time.sleep(0.3)
     process.send_signal(signal.SIGTERM)
     _, complaint = process.communicate(timeout=120)
     assert process.returncode == 4, complaint
-    assert "resuming will pack again" in complaint
-    assert not (tmp_path / "r" / "summary.json").exists()
-    # The same folder serves a smaller request, so that the test stays short.
-    resolved = tmp_path / "r" / "case.resolved.toml"
-    resolved.write_text(re.sub(r"(?m)^volume_fraction = .*$", "volume_fraction = 0.005", resolved.read_text()))
-    run("resume", tmp_path / "r")
-    assert summary(tmp_path / "r")["volume_fraction"] == pytest.approx(0.005, rel=0.05)
+    return complaint
+
+
+def test_a_signal_stops_packing_and_resume_packs_again(tmp_path):
+    text = CLUSTER.replace('"0.5 mm"', '"2.5 mm"', 1).replace('"8 %"', '"20 %"').replace('"0.5 mm"', '"1.1 mm"')
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    for words in (["run", tmp_path / "case.toml", "--out", tmp_path / "r"], ["resume", tmp_path / "r"]):
+        assert "resuming will pack again" in stop_while_packing(tmp_path / "r", *words)
+        assert not (tmp_path / "r" / "summary.json").exists()
 
 
 def pack(tmp_path, text, name="r"):

@@ -1,5 +1,6 @@
 """Runs: what a result folder holds, and that it is true to itself."""
 import json
+import os
 import re
 import subprocess
 from pathlib import Path
@@ -24,7 +25,7 @@ def result(tmp_path_factory):
 def test_folder_holds_every_file(result):
     files = {path.name for path in result.iterdir()}
     assert files == {"case.resolved.toml", "summary.json", "series.csv", "breaks.csv", "result.vtkhdf",
-                     "checkpoint.h5", "checkpoint.previous.h5", "log.txt"}
+                     "checkpoint.h5", "checkpoint.previous.h5", "log.txt", ".fiberfate"}
 
 
 def test_summary_agrees_with_the_last_row_of_the_series(result):
@@ -136,7 +137,7 @@ def test_a_file_that_holds_no_fibers_leaves_nothing(tmp_path):
     case = write_case(tmp_path)
     (tmp_path / "fibers.csv").write_text("fiber,x_m,y_m,z_m\n0,0,0,0\n0,1e-4,zero,0\n")
     failed = run("run", case, "--out", tmp_path / "r", expect=2)
-    assert "fibers.csv:3: 'zero' is not a number" in failed.stderr
+    assert "fibers.csv:3:8: 'zero' is not a finite number" in failed.stderr
     assert not (tmp_path / "r").exists()
 
 
@@ -183,3 +184,36 @@ def test_report_opens_as_one_file(result):
     assert "report.html" in done.stdout
     page = (result / "report.html").read_text(encoding="utf-8")
     assert "Fibers in a sheared cell" in page and "Mean fiber lengths" in page
+
+
+@pytest.mark.parametrize("words, complaint", [
+    (["--steps", "0"], "--steps: 0 is not a whole number of at least 1"),
+    (["--until", "-1 s"], "--until = -1 s: is not a time after the start: give more than 0 s"),
+    (["--until", "0 s"], "--until = 0 s: is not a time after the start")])
+def test_limits_that_stop_before_the_start_are_refused_in_words(tmp_path, words, complaint):
+    refused = run("run", write_case(tmp_path), "--out", tmp_path / "r", *words, expect=2)
+    assert complaint in refused.stderr and len(refused.stderr) < 300
+    assert not (tmp_path / "r").exists()
+
+
+@pytest.mark.parametrize("variable, value, complaint", [
+    ("FIBERFATE_ISA", "foo", "FIBERFATE_ISA = foo: there is no such instruction set: give one of baseline, avx2, avx512"),
+    ("OMPI_COMM_WORLD_SIZE", "2", "started as one of 2 processes, which would all do the same"),
+    ("PMI_SIZE", "3", "started as one of 3 processes")])
+def test_what_the_environment_asks_in_vain_is_refused(tmp_path, variable, value, complaint):
+    refused = run("run", write_case(tmp_path), "--out", tmp_path / "r", expect=2, env={**os.environ, variable: value})
+    assert complaint in refused.stderr
+    assert not (tmp_path / "r").exists()
+
+
+def test_options_that_a_study_does_not_act_on_are_refused(tmp_path):
+    case = tmp_path / "properties.toml"
+    case.write_text('study = "properties"\n[fibers]\nvolume_fraction = 0.1\naspect_ratio = 20\n', encoding="utf-8")
+    refused = run("run", case, "--out", tmp_path / "r", "--threads", 2, "--until", "1 s", "--steps", 3, expect=2)
+    for complaint in ("--threads: the study properties runs on one thread", "--until: the study properties always runs to its end",
+                      "--steps: the study properties does not count steps"):
+        assert complaint in refused.stderr
+    assert not (tmp_path / "r").exists()
+    run("run", case, "--out", tmp_path / "r")
+    absent = {"A2_number", "L_N_m", "fibers", "rods", "breaks", "seed", "steps", "simulated_s", "timings", "max_overlap_radii"}
+    assert not absent & set(summary(tmp_path / "r"))

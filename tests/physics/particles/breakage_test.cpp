@@ -5,7 +5,8 @@
 #include <map>
 #include <set>
 
-#include "dynamics/breakage.hpp"
+#include "dynamics/breakage_laws/breakage_registry.hpp"
+#include "dynamics/breakage_laws/scattered_radius.hpp"
 #include "scenes.hpp"
 
 namespace fiberfate {
@@ -191,11 +192,19 @@ TEST(Breakage, OfTheFixedLawHappensBelowTheCriticalRadiusOnly) {
 
 // Strengths of fragments are those of the hinges they had before: a break changes no other hinge's fate.
 TEST(Breakage, StrengthBelongsToTheMaterialPoint) {
-  DynamicsParameters parameters;
-  parameters.breakage.law = "strength";
-  const HingeName hinge{.birth_id = 7, .birth_node = 12};
-  const bool now = breaks(parameters, hinge, 0, 150e-6);
-  for (const std::int64_t check : {1, 10, 1000000}) EXPECT_EQ(breaks(parameters, hinge, check, 150e-6), now);
+  const BreakageRow& law = breakage_law_named("strength");
+  int broken = 0;
+  for (std::uint32_t node = 1; node <= 100; ++node) {
+    CheckedHinge hinge{.radius = 150e-6, .name = {.birth_id = 7, .birth_node = node}};
+    const bool now = law.breaks({}, hinge);
+    broken += now ? 1 : 0;
+    for (const std::int64_t check : {1, 10, 1000000}) {
+      hinge.check = check;
+      EXPECT_EQ(law.breaks({}, hinge), now) << node;
+    }
+  }
+  EXPECT_GT(broken, 0);
+  EXPECT_LT(broken, 100);
 }
 
 }  // namespace

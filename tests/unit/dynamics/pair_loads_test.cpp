@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "../fibers/sample_fibers.hpp"
 #include "base/aligned_array.hpp"
@@ -44,6 +46,7 @@ struct Scene {
   FiberState state = empty_state();
   std::vector<Vec3> velocity;
   PairForces pairs;
+  std::vector<std::array<Index, 2>> rods_of_force;  // first and second
   ChainGroup group;
   AlignedArray rods;
 
@@ -79,6 +82,7 @@ struct Scene {
     for (std::size_t c = 0; c < 2; ++c) {
       for (int i = 0; i < contacts[c].count; ++i, ++number) {
         PairForce& to = pairs.forces()[std::size_t(number)];
+        rods_of_force.push_back({contacts[c].first[std::size_t(i)], contacts[c].second[std::size_t(i)]});
         const Vec3 force = waves(number + 40);
         const Vec3 normal = waves(number + 60).normalized();
         std::copy_n(force.data(), 3, to.force);
@@ -127,10 +131,12 @@ struct Definition {
   Eigen::VectorXd load;
 };
 
-void add_share(const Scene& scene, const PairForce& force, bool is_first, Index begin, Definition& sum) {
-  const auto rod = std::size_t(is_first ? force.first : force.second);
-  const double place = is_first ? force.s : force.t;
-  const double sign = is_first ? 1 : -1;
+/// Adds the share that the first (side 0) or the second rod (side 1) has of a force.
+void add_share(const Scene& scene, std::size_t number, std::size_t side, Index begin, Definition& sum) {
+  const PairForce& force = scene.pairs.forces()[number];
+  const auto rod = std::size_t(scene.rods_of_force[number][side]);
+  const double place = side == 0 ? force.s : force.t;
+  const double sign = side == 0 ? 1 : -1;
   const double length = scene.state.rod_length[rod];
   const Vec3 p = (scene.state.position[rod + 1] - scene.state.position[rod]) / length;
   const Vec3 n(force.normal[0], force.normal[1], force.normal[2]);
@@ -152,9 +158,11 @@ Definition definition(const Scene& scene, Index fiber) {
   Definition sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
   const Index begin = scene.state.begin_node(fiber);
   const Index end = scene.state.end_node(fiber);
-  for (const PairForce& force : scene.pairs.forces()) {
-    if (force.first >= begin && force.first < end) add_share(scene, force, true, begin, sum);
-    if (force.second >= begin && force.second < end) add_share(scene, force, false, begin, sum);
+  for (std::size_t number = 0; number < scene.rods_of_force.size(); ++number) {
+    for (const std::size_t side : {0, 1}) {
+      const Index rod = scene.rods_of_force[number][side];
+      if (rod >= begin && rod < end) add_share(scene, number, side, begin, sum);
+    }
   }
   return sum;
 }
@@ -198,8 +206,7 @@ TEST(PairForces, DealEveryRodItsSharesOrderedByWhoExertsThem) {
   for (Index rod = 0; rod < scene.state.node_count(); ++rod) {
     std::int64_t before = -1;
     for (const PairForces::Share& share : scene.pairs.of_rod(rod)) {
-      const PairForce& force = scene.pairs.forces()[std::size_t(share.number / 2)];
-      EXPECT_EQ(share.number % 2 == 0 ? force.first : force.second, rod);
+      EXPECT_EQ(scene.rods_of_force[std::size_t(share.number / 2)][std::size_t(share.number % 2)], rod);
       EXPECT_LE(before, share.key);
       before = share.key;
       ++shares;
