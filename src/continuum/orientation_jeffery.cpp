@@ -21,7 +21,7 @@ Vec3 jeffery_rate(const Vec3& direction, const Mat3& gradient, double xi) {
 Mat3 fiber_deformation(const Mat3& gradient, double xi, double duration) {
   require_numbers("gradient", gradient.reshaped(), any_finite);
   require_number("xi", xi, {.lower = -1, .upper = 1});
-  require_number("duration", duration, not_negative);
+  require_number("duration", duration, any_finite);
   const Mat3 strain = 0.5 * (gradient + gradient.transpose());
   const Mat3 vorticity = 0.5 * (gradient - gradient.transpose());
   return Mat3((vorticity + xi * strain) * duration).exp();

@@ -10,7 +10,8 @@ namespace fiberfate {
 /// Source: Jeffery, Proc. R. Soc. A 102, 161 (1922).
 [[nodiscard]] Vec3 jeffery_rate(const Vec3& direction, const Mat3& gradient, double xi);
 
-/// Effective deformation F = exp((W + xi D) t): material lines that move with it turn as the fibers do.
+/// Effective deformation F = exp((W + xi D) t): material lines that move with it turn as the fibers do. A
+/// negative duration goes back: F(-t) = F(t)⁻¹.
 [[nodiscard]] Mat3 fiber_deformation(const Mat3& gradient, double xi, double duration);
 
 /// Direction after a deformation, F·p/|F·p|: exact for constant gradients, and for histories with F the

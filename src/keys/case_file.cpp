@@ -46,6 +46,11 @@ const CaseKind& kind_of(const TomlDocument& document, const CaseKinds& kinds) {
   });
   if (found != kinds.end()) return **found;
   InputProblem problem = problem_at(*entry);
+  if (names.size() == 1) {
+    problem.complaint = fmt::format("only cases of the study \"{}\" belong here", names.front());
+    problem.remedy = "name one";
+    throw InputError({problem});
+  }
   problem.complaint = "there is no such study, so nothing else can be checked";
   const std::string nearest = text == nullptr ? std::string() : nearest_word(*text, names);
   problem.remedy = nearest.empty() ? "give " + listed(names) : fmt::format("did you mean \"{}\"?", nearest);

@@ -148,3 +148,18 @@ def test_a_table_that_is_missing_or_truncated_is_named(tmp_path):
     (deck / "DynamicParameters.in").unlink()
     failed = run("import", deck, tmp_path / "case", expect=2)
     assert "DynamicParameters.in" in failed.stderr
+
+
+@pytest.mark.parametrize("line, boundary", [("isPeriodicY = .false.", "walls"), ("isPeriodicY = .true.", "periodic"), ("", "periodic")])
+def test_the_boundary_in_y_is_that_of_the_deck(tmp_path, line, boundary):
+    shutil.copytree(DECKS / "shear", tmp_path / "deck")
+    deck = tmp_path / "deck" / "Fibers.in"
+    text = re.sub(r"distanceFactor *= *2.0", "distanceFactor = 8.0", deck.read_text(encoding="utf-8"))
+    deck.write_text(text.replace("\n/", f"\n{line}\n/", 1), encoding="utf-8")
+    done = run("import", tmp_path / "deck", tmp_path / "case")
+    case = resolved(tmp_path / "case")
+    assert case["boundary"]["y"] == boundary
+    assert ("the deck has no isPeriodicY" in done.stdout) == (line == "")
+    # The radius of that program's list is not the reach of its force.
+    assert case["contact"]["cutoff"] == 2
+    assert re.search(r"^distanceFactor +8.0 +not used: \S", done.stdout, re.M)

@@ -158,7 +158,7 @@ def test_a_molding_that_does_not_fill_is_explained(folder):
     assert re.search(r"no melt comes to \"Loc\.\d\": the filling ended \(short_shot\)", complaint(folder))
     other = (CASES / "25_xi_sweep" / "case.toml").as_posix()
     write_case(folder, ROWS, CASE.replace('["plaque.toml"]', f'["{other}"]', 1))
-    assert 'is a case of the study calibration' in complaint(folder)
+    assert 'study = "calibration": only cases of the study "molding" belong here: name one' in complaint(folder)
 
 
 def test_four_parameters_come_out_of_six_moldings(tmp_path):

@@ -362,13 +362,18 @@ places = [["left", "0 mm", "0 mm", "0 mm", "20 mm"], ["right", "200 mm", "0 mm",
 
 def test_the_greatest_pressure_of_a_disc_is_that_at_its_gate(tmp_path):
     fill(tmp_path / "r", "36_disc")
-    exact = 6 * 100 * 2e-5 / (math.pi * 0.002**3) * math.log(0.1 / 0.005)
-    # Half a cell of 4 mm at the rim is 0.7 % of the logarithm.
-    assert summary(tmp_path / "r")["greatest_sprue_pressure_Pa"] == pytest.approx(exact, rel=0.02)
+    filled, pressure = column(tmp_path / "r", "filled_fraction"), column(tmp_path / "r", "sprue_pressure_Pa")
+    scale = 6 * 100 * 2e-5 / (math.pi * 0.002**3)
+    exact = [scale * math.log(max(1, 0.1 * math.sqrt(share) / 0.005)) for share in filled]
+    # The gate is about one cell of 4 mm: its neighbours are filled by 2 %. Half a cell at the rim is 0.7 % of the logarithm.
+    errors = [abs(found - wanted) for found, wanted, share in zip(pressure, exact, filled) if 0.02 < share < 0.998]
+    assert max(errors) < 0.007 * exact[-1]
+    # The set rate goes through the few nodes of the rim that fill last, 0.05 % of the volume: that costs 7 %.
+    assert exact[-1] < summary(tmp_path / "r")["greatest_sprue_pressure_Pa"] < 1.1 * exact[-1]
 
 
 def test_slow_melt_without_a_pressure_limit_freezes_off(tmp_path):
-    words = ["--set", 'material.preset="ppgf30"', "--set", 'numerics.heat="full"', "--set", "machine.flow_rate=0.05 cm^3/s", "--set", "machine.mold_temperature=320 K",
+    words = ["--set", 'material.preset="ppgf30"', "--set", 'numerics.heat="full"', "--set", "fibers.length=3 mm", "--set", "machine.flow_rate=0.05 cm^3/s", "--set", "machine.mold_temperature=320 K",
              "--set", "part.mesh_size=5 mm", "--set", "numerics.layers=8", "--set", "numerics.steps=60"]
     done = fill(tmp_path / "r", "35_strip", *words)
     values = summary(tmp_path / "r")
@@ -566,7 +571,7 @@ def test_a_flipped_facet_is_turned_and_told(tmp_path):
     (tmp_path / "case.toml").write_text(STRIP, encoding="utf-8")
     (tmp_path / "strip.stl").write_text(strip_stl(), encoding="utf-8")
     sound = run("check", tmp_path / "case.toml")
-    assert "turned" not in sound.stderr and "left out" not in sound.stderr
+    assert "is turned to agree" not in sound.stderr and "left out" not in sound.stderr
     (tmp_path / "strip.stl").write_text(strip_stl(flipped=[21], twice=[4, 9]), encoding="utf-8")
     mended = run("check", tmp_path / "case.toml")
     assert "1 of 64 triangles is turned to agree with the others" in mended.stderr
@@ -608,7 +613,7 @@ def test_obtuse_triangles_are_turned_where_walls_are_flat_and_refused_else(tmp_p
     x, y, z = points[2 * 17 + 8]
     case = file_case(tmp_path, points, triangles, f'"{x} mm", "{y} mm", "{z} mm"')
     done = run("check", case, expect=2 if words else 0)
-    assert "obtuse" not in done.stderr if words is None else words in done.stderr
+    assert "obtuse triangles" not in done.stderr if words is None else words in done.stderr
 
 
 def test_a_mesh_of_four_triangles_is_refused(tmp_path):
@@ -618,7 +623,11 @@ def test_a_mesh_of_four_triangles_is_refused(tmp_path):
 
 
 def test_coarse_meshes_are_told_what_they_cost(tmp_path):
-    assert "on its longest way: pressures are wrong by about 1." in run("check", CASES / "35_strip" / "case.toml", "--set", "part.mesh_size=26 mm").stderr
+    coarse = run("check", CASES / "30_plaque" / "case.toml", "--set", "part.mesh_size=36 mm").stderr
+    assert "on its longest way: pressures are wrong by about 1.1 %: make a finer mesh" in coarse
+    # One row of flat triangles whose obtuse corners face the rims: the strip takes 13 % less pressure (rms over the largest).
+    cut_off = run("check", CASES / "35_strip" / "case.toml", "--set", "part.mesh_size=26 mm").stderr
+    assert re.search(r"4\.9 % of what leads the flow .* is lost: pressures are wrong by about 1[01]\.\d %", cut_off)
     assert "longest way" not in run("check", CASES / "30_plaque" / "case.toml").stderr
 
 

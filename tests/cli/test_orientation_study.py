@@ -61,6 +61,48 @@ def test_retardation_slows_but_does_not_move_the_steady_state(tmp_path):
     assert early_slow < 0.5 < early_fast
 
 
+STRONG_RETARDATION = """study = "orientation"
+[diffusion]
+name = "folgar_tucker"
+C_I = 0.0311
+[retardation]
+name = "rsc"
+kappa = 0.01
+[flow]
+kind = "shear"
+rate = 1
+shear_gradient = "y"
+[fibers]
+orientation = "isotropic"
+[solution]
+closure = "ibof"
+tolerance = 1e-10
+[run]
+duration = 20000
+[output]
+interval = 200
+"""
+# That of the law without retardation, from an independent computation.
+ITS_STEADY_STATE = [[0.6493761451, 0.1133462673, 0], [0.1133462673, 0.1312225654, 0], [0, 0, 0.2194012895]]
+
+
+def test_strong_retardation_from_isotropic_reaches_the_steady_state(tmp_path):
+    folder, values = result_of(tmp_path, written(tmp_path, STRONG_RETARDATION))
+    for row, steady in zip(values["A2"], ITS_STEADY_STATE, strict=True):
+        assert row == pytest.approx(steady, abs=1e-9)  # some steps' tolerance
+    assert values["projections"] == 0
+    # A million explicit steps did not leave the start. The processor's time is the same on a busy machine.
+    assert values["steps"] < 20000 and values["cpu_s"] < 1
+    # Retardation slows the approach: without it A11 is there after 20 units of strain.
+    a11 = column(folder, "a11")
+    assert len(a11) == 101 and a11[1] < 0.6 and a11[5] < ITS_STEADY_STATE[0][0] - 1e-3
+    _, fast = result_of(tmp_path / "fast", written(tmp_path, STRONG_RETARDATION), "--set", "retardation.kappa=1",
+                        "--set", "run.duration=60", "--set", "output.interval=20")
+    fast_a11 = column(tmp_path / "fast" / "result", "a11")
+    assert fast_a11[1] == pytest.approx(ITS_STEADY_STATE[0][0], abs=1e-3)
+    assert fast["A2"][0][0] == pytest.approx(ITS_STEADY_STATE[0][0], abs=1e-9)
+
+
 def test_a_table_of_gradients(tmp_path):
     folder, values = result_of(tmp_path, CASES / "12_injection_history" / "case.toml")
     time, a22 = column(folder, "time_s"), column(folder, "a22")

@@ -112,10 +112,22 @@ std::string apply_radius(const Translation& deck) {
   return fmt::format("fibers.diameter = {}, twice the radius", deck.values().sample.fibers.diameter);
 }
 
-std::string apply_boundary(const Translation& deck) {
-  const bool periodic = *deck.namelist.truth("periodic_boundary");
+std::string set_boundary(const Translation& deck, bool periodic) {
   deck.values().boundary.y = periodic ? Boundary::periodic : Boundary::walls;
   return periodic ? "boundary.y = \"periodic\"" : "boundary.y = \"walls\"";
+}
+
+/// In decks with isPeriodicY, periodic_boundary speaks of x and z only.
+std::string apply_boundary(const Translation& deck) {
+  const bool periodic = *deck.namelist.truth("periodic_boundary");
+  if (deck.namelist.find("isPeriodicY") == nullptr)
+    return set_boundary(deck, periodic) + "; the deck has no isPeriodicY, which would decide";
+  return periodic ? "x and z are always periodic; isPeriodicY decides on y"
+                  : "not used: x and z are always periodic; isPeriodicY decides on y";
+}
+
+std::string apply_boundary_y(const Translation& deck) {
+  return set_boundary(deck, *deck.namelist.truth("isPeriodicY"));
 }
 
 std::string apply_box(const Translation& deck) {
@@ -181,6 +193,7 @@ const std::vector<LegacyRule>& rules() {
       {"viscosity", optional, apply_viscosity},
       {"epsilon_dot", optional, apply_extension},
       {"periodic_boundary", optional, apply_boundary},
+      {"isPeriodicY", optional, apply_boundary_y},
       {"box_size", required, apply_box},
       {"dt", required, apply_step},
       {"nbr_intgr", required, apply_duration},
@@ -194,8 +207,8 @@ const std::vector<LegacyRule>& rules() {
       {"is_fric_wall", optional, apply_wall_friction},
       stored("ex_vol_const", optional, "contact.force_constant",
              [](ShearCellCase& c) -> double& { return c.dynamics.contact.force_constant; }),
-      stored("distanceFactor", optional, "contact.cutoff",
-             [](ShearCellCase& c) -> double& { return c.dynamics.contact.cutoff; }),
+      unused("distanceFactor",
+             "it is the radius of that program's list; its force ends at two radii, as here"),
       {"TensorOrBeads", optional, apply_drag},
       unused("recover_simulation", "'fiberfate resume' continues a run"),
       unused("nbr_neighbors", "the list of neighbours has no limit"),

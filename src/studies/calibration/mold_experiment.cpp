@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <any>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -62,10 +63,7 @@ MoldingCase read_molding(const std::vector<std::string>& row) {
   for (std::size_t i = 1; i < row.size(); ++i)
     (row[i].find('=') == std::string::npos ? changes.variants : changes.overrides).push_back(row[i]);
   static const CaseKind kind = molding_kind();
-  const LoadedCase loaded = load_case(row[0], {&kind}, changes);
-  if (const auto* values = std::any_cast<MoldingCase>(&loaded.values)) return *values;
-  throw InputError(fmt::format("{} is a case of the study {}", row[0], loaded.kind->name),
-                   "name a case with study = \"molding\"");
+  return std::any_cast<MoldingCase>(load_case(row[0], {&kind}, changes).values);
 }
 
 }  // namespace fiberfate

@@ -184,7 +184,7 @@ KeyRows<ContactParameters> contact_law_rows() {
       key("decay", &Contact::decay, {}, Range::between(0, 100), "B in the same.", {}, "thesis section 3.3.3"),
       key("cutoff", &Contact::cutoff, {}, Range::between(2, 10),
           "Distance of the axes below which the force acts, in radii: 2 is touch.", {},
-          "the published program's distanceFactor"),
+          "the published program, whose force ends at two radii"),
       key("ramp", &Contact::ramp, {"m", "um"}, Range::positive(1e-3),
           "Width over which the force rises from nothing at the cutoff, centred on it; a jump would make "
           "contacts chatter."),

@@ -84,14 +84,15 @@ TEST(OrientationDistribution, ItsMomentsObeyTheTensorEquation) {
   EXPECT_LT((measured - predicted).norm(), 2e-6);
 }
 
+/// The error falls exponentially with the degree: at C_I = 0.1 ten- to a hundredfold for every two degrees.
+/// Of degree 8, whose last coefficients are 0.085 of the first, nothing is given.
 TEST(OrientationDistribution, EnoughDegreesConverge) {
-  const double coarse =
-      FokkerPlanck(folgar_tucker(0.1), 8)
-          .second_moment(FokkerPlanck(folgar_tucker(0.1), 8).steady(simple_shear_gradient()))(0, 0);
-  const FokkerPlanck fine(folgar_tucker(0.1), 16);
-  const double better = fine.second_moment(fine.steady(simple_shear_gradient()))(0, 0);
-  const FokkerPlanck finest(folgar_tucker(0.1), 24);
-  const double best = finest.second_moment(finest.steady(simple_shear_gradient()))(0, 0);
+  const auto a11 = [](int degree) {
+    const FokkerPlanck equation(folgar_tucker(0.1), degree);
+    return equation.second_moment(equation.steady(simple_shear_gradient()))(0, 0);
+  };
+  EXPECT_THROW((void)a11(8), SimulationFailure);
+  const double coarse = a11(10), better = a11(16), best = a11(24);
   EXPECT_LT(std::abs(better - best), 1e-3 * std::abs(coarse - best));
 }
 
