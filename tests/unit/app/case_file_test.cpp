@@ -196,15 +196,15 @@ duration = "1 m"
       "c.toml:9:12: run.duration = \"1 m\": 'm' does not have the dimension of 's': give a number with a "
       "unit in "
       "quotes, such as \"1 s\"\n"
-      "c.toml: flow.rate: not given; this kind of flow needs it: add rate = \"16.65 1/s\" under [flow]\n"
-      "c.toml: flow.viscosity: not given; this kind of flow needs it: add viscosity = \"200 Pa s\" under "
+      "c.toml:1:1: flow.rate: not given; this kind of flow needs it: add rate = \"16.65 1/s\" under [flow]\n"
+      "c.toml:1:1: flow.viscosity: not given; this kind of flow needs it: add viscosity = \"200 Pa s\" under "
       "[flow]");
 }
 
 TEST(CaseFile, NamesTheStudies) {
   const std::string missing = errors_of("[run]\nduration = 1\n");
   EXPECT_TRUE(missing.starts_with(
-      "c.toml: study: not given, so nothing else can be checked: add study = \"shear_cell\""));
+      "c.toml:1:1: study: not given, so nothing else can be checked: add study = \"shear_cell\""));
   EXPECT_TRUE(missing.ends_with(" above the first [table]"));
   for (const Study& study : studies()) EXPECT_NE(missing.find('"' + study.name + '"'), std::string::npos);
   EXPECT_EQ(errors_of("study = \"shear_cel\"\n"),
