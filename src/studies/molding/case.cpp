@@ -184,17 +184,17 @@ void warn_of_mesh(const MoldingCase& values, const ShellMesh& mesh, std::span<co
                   CaseChecker& checker) {
   const MeshQuality quality = quality_of(mesh, gates);
   if (quality.pressure_error() < noticed_error) return;
+  const bool cut_off = quality.cut_off > noticed_error / 4;  // less, down to round-off, is not worth a word
   const std::string loss =
-      quality.cut_off > 0
-          ? fmt::format(", and {:.2g} % of what leads the flow lies between obtuse triangles and is lost",
-                        100 * quality.cut_off)
-          : "";
+      cut_off ? fmt::format(", and {:.2g} % of what leads the flow lies between obtuse triangles and is lost",
+                            100 * quality.cut_off)
+              : "";
   checker.warn(
       values.part.kind == PartKind::file ? "part.file" : "part.mesh_size",
       fmt::format("the melt passes {} edges of the mesh on its longest way{}: pressures are wrong by "
                   "about {:.1f} %",
                   quality.reach, loss, 100 * quality.pressure_error()),
-      quality.cut_off > noticed_error / 4 ? "make a Delaunay mesh" : "make a finer mesh");
+      cut_off ? "make a Delaunay mesh" : "make a finer mesh");
 }
 
 /// Meshes the part and lets the solver check what it will be given.

@@ -42,11 +42,11 @@ TEST(RodNeighbours, AreFoundInALargeCell) {
 TEST(Vacancies, AreFoundInALargeCell) {
   Chains chains;
   chains.cell = large_cell;
-  for (int k = 0; k < 3; ++k) chains.position.emplace_back(5000 + 5 * k, 5000, 77);
+  for (int k = 0; k < 3; ++k) chains.position.emplace_back(5000 + 5 * k, 5100, 77);
   end_fiber(chains, 5, 0.5, 0.05);
   Vacancies vacancies(chains);
   vacancies.fill(chains, 0);
-  EXPECT_EQ(vacancies.filled_share({Vec3(5005, 5000, 77), Vec3::UnitX(), 10}), 1);
+  EXPECT_EQ(vacancies.filled_share({Vec3(5005, 5100, 77), Vec3::UnitX(), 10}), 1);
   EXPECT_EQ(vacancies.filled_share({Vec3(5005, 2000, 77), Vec3::UnitX(), 10}), 0);
 }
 
