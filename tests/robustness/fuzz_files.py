@@ -38,7 +38,7 @@ interval = "1 ms"
 """
 FIBERS = "fiber,x_m,y_m,z_m\n" + "".join(f"{f},{1e-4 + 6e-5 * n},{1e-4 * (f + 1)},2e-4\n" for f in range(3) for n in range(4))
 LENGTHS = 'study = "measurement"\n[lengths]\nfile = "{file}"\nunit = "mm"\n[statistics]\nresamples = 20\n'
-NUMBERS = CELL.replace('source = "file"\nfile = "{file}"\n', "").replace("diameter", 'lengths = "{file}"\ncount = 3\ndiameter').replace(
+NUMBERS = CELL.replace('source = "file"\nfile = "{file}"\n', "orientation_tolerance = 1\n").replace("diameter", 'lengths = "{file}"\ncount = 3\ndiameter').replace(
     'youngs_modulus = "10 GPa"', 'youngs_modulus = "10 GPa"\nrod_length = "60 um"')
 PART = """study = "molding"
 [part]

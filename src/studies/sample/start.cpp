@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "base/error.hpp"
+#include "dynamics/simulable.hpp"
 #include "results/fiber_file.hpp"
 
 namespace fiberfate {
@@ -29,6 +31,19 @@ StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, 
   return {std::move(result.state), std::move(result.report)};
 }
 
+/// Reads the fibers of a file; what is wrong with them is told with its name.
+FiberState read_fibers(const SampleCase& sample) {
+  FiberState state = read_fiber_file(sample.cluster.file, materials(sample), sample.cell.size);
+  try {
+    require_simulable(state);
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems();
+    for (InputProblem& problem : problems) problem.file = sample.cluster.file;
+    throw InputError(std::move(problems));
+  }
+  return state;
+}
+
 }  // namespace
 
 void warn_of_sinking_in(const PackingReport& packing, Recorder& log) {
@@ -46,9 +61,7 @@ void warn_of_sinking_in(const PackingReport& packing, Recorder& log) {
 StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, const Session& session) {
   if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, session);
   StartingFibers fibers;
-  fibers.state = sample.cluster.source == ClusterSource::fiber
-                     ? single_fiber(sample)
-                     : read_fiber_file(sample.cluster.file, materials(sample), sample.cell.size);
+  fibers.state = sample.cluster.source == ClusterSource::fiber ? single_fiber(sample) : read_fibers(sample);
   fibers.state.cell.boundary[1] = request.boundary_y;
   return fibers;
 }

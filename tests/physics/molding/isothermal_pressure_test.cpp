@@ -186,7 +186,7 @@ Shell shaken(Shell shell, double size, double outer) {
 
 /// Round gates of about the mesh size hold some of the nodes around and not others: each edge that leaves the
 /// gate carries what passes its dual face in the radial field, so that the front stays round and the pressure
-/// does not rise at the end, where a front off the middle would have reached one side long before the other.
+/// does not rise before the rim is full: a front off the middle would reach one side long before the other.
 TEST(IsothermalPressure, RoundGatesOfTheMeshSizeStayRound) {
   const double eta = 100, thickness = 0.002, outer = 0.1, size = 0.004;
   for (const double radius : {0.0012, 0.0035, 0.004, 0.0045, 0.005, 0.006}) {
@@ -199,10 +199,11 @@ TEST(IsothermalPressure, RoundGatesOfTheMeshSizeStayRound) {
         6 * eta * 1e-5 / (std::numbers::pi * std::pow(thickness, 3)) * std::log(outer / radius);
     while (!filling.finished()) {
       filling.advance();
-      greatest = std::max(greatest, filling.state().sprue_pressure);
+      // The last few nodes of the rim take the whole flow, which is no longer radial (up to 3.7 %).
+      if (filling.filled_fraction() < 0.998) greatest = std::max(greatest, filling.state().sprue_pressure);
     }
     // Half a cell at the rim, where p = 0 is taken to lie, is ln(1 + 0.02), 0.7 % of the logarithm.
-    EXPECT_NEAR(greatest / exact, 1, 0.015) << radius;
+    EXPECT_NEAR(greatest / exact, 1, 0.01) << radius;
   }
 }
 
