@@ -55,11 +55,22 @@ InputError::InputError(std::vector<InputProblem> problems)
 InputError::InputError(std::string complaint, std::string remedy)
     : InputError(std::vector<InputProblem>{{"", 0, 0, "", "", std::move(complaint), std::move(remedy)}}) {}
 
+namespace {
+
+/// Tells the place of a failure, as far as it has one: a law at a point has neither fiber nor step.
+std::string describe(const FailurePlace& place) {
+  std::string text;
+  if (place.fiber >= 0) text += fmt::format("fiber {}, ", place.fiber);
+  if (place.fiber >= 0 || place.step > 0)
+    text += fmt::format("step {}, time {:.9g} s", place.step, place.time);
+  if (place.largest_force > 0) text += fmt::format(", largest force {:.4g} N", place.largest_force);
+  return text.empty() ? text : " (" + text + ')';
+}
+
+}  // namespace
+
 SimulationFailure::SimulationFailure(const std::string& what, FailurePlace place)
-    : std::runtime_error(fmt::format("{} (fiber {}, step {}, time {:.9g} s, largest force {:.4g} N)", what,
-                                     place.fiber < 0 ? std::string("none") : std::to_string(place.fiber),
-                                     place.step, place.time, place.largest_force)),
-      place_(place) {}
+    : std::runtime_error(what + describe(place)), place_(place) {}
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   std::string_view nearest;

@@ -83,9 +83,11 @@ double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const G
   return std::min(duration, time_ahead - state.time);
 }
 
-/// Whether full nodes give up what they hold too much.
-bool is_fed(const FlowField& field) {
-  return std::any_of(field.source.begin(), field.source.end(), [](double rate) { return rate != 0; });
+/// What full nodes give up of what they hold too much, m³/s.
+double released_rate(const FlowField& field) {
+  double sum = 0;
+  for (const double rate : field.source) sum += rate;
+  return sum;
 }
 
 /// Whether melt that stands short of the end has frozen off.
@@ -189,8 +191,9 @@ double step_duration(const FillingParams& params, const ShellMesh& mesh, const G
   const double duration = std::min(cut_at_events(params, mesh, gates, state, volume, field.rate),
                                    gates.time_to_fill(state, field.sprue_pressure));
   // Full nodes must not give up more than their excess: they would lack melt and yet count as full.
-  return is_fed(field)
-             ? std::min(duration, aimed / params.process.flow.at(state.time, fraction_of(mesh, state)))
+  const bool fed =
+      std::any_of(field.source.begin(), field.source.end(), [](double rate) { return rate != 0; });
+  return fed ? std::min(duration, aimed / params.process.flow.at(state.time, fraction_of(mesh, state)))
              : duration;
 }
 
@@ -212,7 +215,8 @@ FillingEnd reason_to_stop(const FillingParams& params, const ShellMesh& mesh, co
   if (missing * set_rate < state.flow_rate * mesh.total_volume()) return FillingEnd::none;
   // What is on its way from full nodes moves the front as well, and holds the machine's melt back meanwhile.
   const double noticed = least_rate_share * mesh.total_volume() / params.numerics.steps;
-  if ((total_excess(state) > noticed || is_fed(field)) && field.released_share >= least_rate_share)
+  if ((total_excess(state) > noticed || released_rate(field) > least_rate_share * set_rate) &&
+      field.released_share >= least_rate_share)
     return FillingEnd::none;
   return end_of_standing_melt(mesh, state, field);
 }
