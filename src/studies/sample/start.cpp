@@ -38,7 +38,10 @@ FiberState read_fibers(const SampleCase& sample) {
     require_simulable(state);
   } catch (const InputError& error) {
     std::vector<InputProblem> problems = error.problems();
-    for (InputProblem& problem : problems) problem.file = sample.cluster.file;
+    for (InputProblem& problem : problems) {
+      problem.file = sample.cluster.file;
+      problem.line = problem.column = 1;  // the file as a whole
+    }
     throw InputError(std::move(problems));
   }
   return state;
