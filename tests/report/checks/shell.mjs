@@ -87,5 +87,6 @@ export async function check_shell(page, section, expect) {
   await check_fields(element, stage, section, part, expect);
   await check_pointing(page, stage, section, part, expect);
   expect.equal(await element.locator(".place").count(), section.places?.length ?? 0, `${section.id}: places`);
-  expect.equal(await element.locator(".controls button").count(), 4 + (section.lines?.length ?? 0), `${section.id}: buttons`);
+  // Four for the view and its files, one a kind of lines, and two that save films.
+  expect.equal(await element.locator(".controls button").count(), 6 + (section.lines?.length ?? 0), `${section.id}: buttons`);
 }
