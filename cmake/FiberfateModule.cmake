@@ -26,15 +26,31 @@ if(FIBERFATE_WERROR)
   target_compile_options(fiberfate_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
 endif()
 
-# fiberfate_precompile(TARGET [headers...]) precompiles the headers that nearly every source reads, where asked for.
+# fiberfate_precompile(TARGET) makes every source of TARGET read the headers that nearly all read from where they are
+# precompiled, where asked for: once for libraries and once, with GoogleTest, for programs, whose code is placed otherwise.
 function(fiberfate_precompile target)
-  if(FIBERFATE_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE
-      $<$<COMPILE_LANGUAGE:CXX>:<Eigen/Dense$<ANGLE-R>>
-      $<$<COMPILE_LANGUAGE:CXX>:<algorithm$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<functional$<ANGLE-R>>
-      $<$<COMPILE_LANGUAGE:CXX>:<map$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<memory$<ANGLE-R>>
-      $<$<COMPILE_LANGUAGE:CXX>:<string$<ANGLE-R>> $<$<COMPILE_LANGUAGE:CXX>:<vector$<ANGLE-R>> ${ARGN})
+  if(NOT FIBERFATE_PRECOMPILE)
+    return()
   endif()
+  get_target_property(kind ${target} TYPE)
+  set(owner fiberfate_precompiled_${kind})
+  if(NOT TARGET ${owner})
+    fiberfate_add_precompiled(${owner})
+    if(kind STREQUAL EXECUTABLE)
+      target_precompile_headers(${owner} PRIVATE <gtest/gtest.h>)
+      set_target_properties(${owner} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+      target_compile_options(${owner} PRIVATE -fPIE)
+    endif()
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${owner})
+endfunction()
+
+function(fiberfate_add_precompiled owner)
+  file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${owner}.cpp" CONTENT "// Carries precompiled headers.\n")
+  add_library(${owner} OBJECT "${CMAKE_CURRENT_BINARY_DIR}/${owner}.cpp")
+  target_link_libraries(${owner} PRIVATE fiberfate_flags Eigen3::Eigen OpenMP::OpenMP_CXX)
+  target_precompile_headers(${owner} PRIVATE
+    <Eigen/Dense> <algorithm> <functional> <map> <memory> <string> <vector>)
 endfunction()
 
 function(fiberfate_module name)
