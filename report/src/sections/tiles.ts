@@ -56,5 +56,5 @@ function make_tile(headline: Headline): HTMLElement {
 export function render_tiles(found: ReportDocument): HTMLElement | undefined {
   const headlines = choose_headlines(found);
   if (headlines.length === 0) return undefined;
-  return make("ul", { class: "tiles", "aria-label": "What came out" }, ...headlines.map(make_tile));
+  return make("ul", { class: "tiles", "aria-label": "Results" }, ...headlines.map(make_tile));
 }
