@@ -21,6 +21,7 @@
 #include "molding/step_control.hpp"
 #include "molding/step_record.hpp"
 #include "molding/sweep.hpp"
+#include "molding/viscosity_stretch.hpp"
 
 namespace fiberfate {
 
@@ -71,6 +72,8 @@ struct Filling::Parts {
   void carry();
   void sweep(bool heated);
   void conclude();
+  [[nodiscard]] Machine machine() const { return {params, mesh, gates}; }
+  [[nodiscard]] MeltMotion motion() const { return {layers, step, field, stretching}; }
   [[nodiscard]] double fraction() const { return state.injected_volume / mesh.total_volume(); }
   template <class Body>
   void timed(FillingPhase phase, const Body& body) {
@@ -124,16 +127,14 @@ void Filling::Parts::follow_gates() {
 
 /// By how much fibers raise the viscosity at the present state; nothing where they do not.
 std::vector<double> Filling::Parts::stretching_now() const {
-  std::vector<double> values;
-  if (!params.fibers.coupling) return values;
+  if (!params.fibers.coupling) return {};
   const FiberCoupling& coupling = *params.fibers.coupling;
   const std::ptrdiff_t place =
       coupling.length_set < 0
           ? -1
           : static_cast<std::ptrdiff_t>(lengths.field_begin(static_cast<std::size_t>(coupling.length_set))) +
                 coupling.length_class;
-  stretch_viscosity(mesh, params, layers, state, field, place, values);
-  return values;
+  return ViscosityStretch({mesh, layers}, params.fibers, place).at(state, field);
 }
 
 void Filling::Parts::solve_flow() {
@@ -162,25 +163,25 @@ void Filling::Parts::move_front() {
   step.edge_volume.assign(mesh.edges().size(), 0);
   step.gate_volume.assign(mesh.node_count(), 0);
   step.at_front.resize(mesh.node_count());
-  if (open_gates.empty()) return stand_still(params, mesh, gates, state, step, field);
+  if (open_gates.empty()) return stand_still(machine(), state, step, field);
   gates.note_fed_nodes(state, step.gate);
-  if (prime_at_sprue(params, mesh, gates, state, step, field)) return;
+  if (prime_at_sprue(machine(), state, step, field)) return;
   timed(FillingPhase::flow, [&] { solve_flow(); });
-  step.duration = step_duration(params, mesh, gates, state, field);
+  step.duration = step_duration(machine(), state, field);
   gates.fill_through_runners(field.sprue_pressure, step.duration, state, step.gate_volume);
   for (std::size_t i = 0; i < mesh.node_count(); ++i) step.at_front[i] = field.wet[i] == 0 ? 1 : 0;
-  timed(FillingPhase::front, [&] { advance_front(mesh, solver, field, step, state); });
+  timed(FillingPhase::front, [&] { advance_front(solver, field, step, state); });
 }
 
 void Filling::Parts::carry() {
   timed(FillingPhase::front, [&] {
     sort_into_levels(mesh, step);
-    inherit_at_front(mesh, layers, step, field, state);
-    split_by_layers(mesh, layers, field, step);
+    inherit_at_front({mesh, layers}, step, field, state);
+    split_by_layers({mesh, layers}, field, step);
   });
   const bool heated = params.numerics.heat == HeatModel::full;
   if (heated) timed(FillingPhase::heat, [&] { heat.begin(step, field); });
-  if (record) record->keep(step, field, stretching, state);
+  if (record) record->keep(motion(), state);
   sweep(heated);
   if (heated) heat.end(state);
 }
@@ -197,11 +198,11 @@ void Filling::Parts::sweep(bool heated) {
       spent[static_cast<std::size_t>(phase)].fetch_add(now - begin, std::memory_order_relaxed);
       begin = now;
     };
-    if (heated) heat.advance(nodes, step, field, state);
+    if (heated) heat.advance(nodes, motion(), state);
     lap(FillingPhase::heat);
-    lengths.advance(nodes, step, field, stretching, state);
+    lengths.advance(nodes, motion(), state);
     lap(FillingPhase::lengths);
-    orientation.advance(nodes, step, field, state);
+    orientation.advance(nodes, motion(), state);
     lap(FillingPhase::orientation);
   };
   const double begin = wall_seconds();
@@ -284,7 +285,7 @@ void Filling::follow_lengths_again(std::vector<LengthSet> sets) {
                      "keep its steps from the start on, and give as many laws as it had");
   p.params.fibers.length_sets = std::move(sets);
   p.lengths = LengthTransport(p.mesh, p.params, p.layers);
-  p.state.lengths = p.record->follow(p.lengths, p.mesh.node_count() * p.layers.count());
+  p.state.lengths = p.record->follow(p.lengths, {p.mesh, p.layers});
 }
 
 const ShellMesh& Filling::mesh() const {

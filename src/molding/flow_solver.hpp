@@ -35,6 +35,7 @@ class FlowSolver {
   /// Solves for the flow at the state; updates its shear rates and `field`. `stretching` is 1 + R
   /// (D:A4:D)/(D:D) by point, or empty. Raises SimulationFailure when the pressure is not finite.
   void solve(FillingState& state, const Drive& drive, std::span<const double> stretching, FlowField& field);
+  [[nodiscard]] const ShellMesh& mesh() const { return *mesh_; }
   /// How much an edge conducts in an empty part of unit fluidity, m³.
   [[nodiscard]] double edge_weight(Index edge) const { return edge_weights_[edge]; }
   /// The viscosity of every point, Pa s; frozen layers have that of their temperature.

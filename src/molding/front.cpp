@@ -34,8 +34,9 @@ void record_directions(const ShellMesh& mesh, const StepFlow& step, FillingState
 }
 
 /// Passes on what is above a full control volume; nodes that overflow in turn follow in the queue.
-void pass_overflow(const ShellMesh& mesh, const FlowSolver& solver, StepFlow& step, FillingState& state,
-                   std::vector<double>& content) {
+void pass_overflow(const FlowSolver& solver, StepFlow& step, FillingState& state) {
+  const ShellMesh& mesh = solver.mesh();
+  std::vector<double>& content = step.new_content;
   std::vector<Index> queue;
   for (std::size_t i = 0; i < content.size(); ++i)
     if (step.at_front[i] != 0 && content[i] > mesh.volume(i)) queue.push_back(static_cast<Index>(i));
@@ -87,12 +88,13 @@ double volume_at_front(const ShellMesh& mesh, const FlowField& field) {
   return volume;
 }
 
-void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowField& field, StepFlow& step,
-                   FillingState& state) {
+void advance_front(const FlowSolver& solver, const FlowField& field, StepFlow& step, FillingState& state) {
+  const ShellMesh& mesh = solver.mesh();
   const std::size_t n = mesh.node_count();
   step.content.resize(n);
   for (std::size_t i = 0; i < n; ++i) step.content[i] = mesh.volume(i) * state.filled[i] + state.excess[i];
-  std::vector<double> content = step.content;
+  std::vector<double>& content = step.new_content;
+  content = step.content;
   for (std::size_t e = 0; e < step.edge_volume.size(); ++e) {
     step.edge_volume[e] = field.edge_flux[e] * step.duration;
     content[mesh.edges()[e].first] -= step.edge_volume[e];
@@ -105,8 +107,7 @@ void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowFi
     content[i] += step.gate_volume[i];
   }
   const std::vector<double> before = state.filled;
-  pass_overflow(mesh, solver, step, state, content);
-  step.new_content = content;
+  pass_overflow(solver, step, state);
   record_fill_times(state, before, step, state.fill_time);
   record_directions(mesh, step, state);
 }

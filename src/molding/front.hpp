@@ -17,8 +17,7 @@ namespace fiberfate {
 /// step, in proportion to how their edges conduct; where there are none it is kept as `excess` and becomes a
 /// source of the next solution. Writes the volumes of `step` (edges, gates, contents) and updates `filled`,
 /// `excess`, `fill_time`, `inflow`. Nothing is lost: contents change by what the edges and gates carry.
-void advance_front(const ShellMesh& mesh, const FlowSolver& solver, const FlowField& field, StepFlow& step,
-                   FillingState& state);
+void advance_front(const FlowSolver& solver, const FlowField& field, StepFlow& step, FillingState& state);
 
 /// Marks nodes that have become full: weld lines where fronts met that came from directions more than 120
 /// degrees apart, air traps where all neighbours were full before.

@@ -62,8 +62,8 @@ void HeatTransport::collect_dissipation(const StepFlow& step, const FlowField& f
   }
 }
 
-void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const FlowField& field,
-                                 FillingState& state) {
+void HeatTransport::advance_node(std::size_t node, const MeltMotion& motion, FillingState& state) {
+  const StepFlow& step = motion.step;
   const std::size_t count = layers_->count(), begin = node * count;
   const MoldingMaterial& material = params_->material;
   const double capacity = material.density * material.heat_capacity;
@@ -76,15 +76,14 @@ void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const F
   }
   const double gate = step.gate_volume[node];
   for (std::size_t k = 0; k < count && gate > 0; ++k)
-    system.right[k] +=
-        gate * (step.at_front[node] != 0 ? layers_->widths()[k] : field.shares[begin + k]) * (inlet - mold);
+    system.right[k] += gate * motion.gate_share(node, k) * (inlet - mold);
   for (const ShellNeighbour& from : mesh_->neighbours(node)) {
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
     const auto there = static_cast<std::size_t>(from.node);
     for (std::size_t k = 0; k < count; ++k)
-      system.right[k] += volume * layer_share(field, step, count, there, node, k) *
-                         (state.temperature[there * count + k] - mold);
+      system.right[k] +=
+          volume * motion.share(there, node, k) * (state.temperature[there * count + k] - mold);
   }
   for (const LayerTransfer& t : step.transfers_of(node, count)) system.m(t.to, t.from) -= t.volume;
   // Both halves of the gap count: their areas conduct side by side.
@@ -102,7 +101,7 @@ void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const F
                                  capacity / (area * params_->process.wall_transfer * step.duration);
   system.m(count - 1, count - 1) += 1 / wall_resistance;
   std::array<double, most_half_layers> share;
-  dissipation_shares(*layers_, std::span(field.inverse_viscosity).subspan(begin, count),
+  dissipation_shares(*layers_, std::span(motion.field.inverse_viscosity).subspan(begin, count),
                      std::span(share).first(count));
   for (std::size_t k = 0; k < count; ++k) system.right[k] += dissipated_[node] / capacity * share[k];
   system.solve(step.at_front[node] != 0 ? count : 1);
@@ -110,7 +109,7 @@ void HeatTransport::advance_node(std::size_t node, const StepFlow& step, const F
   to_mold_[node] = capacity * system.right[count - 1] / wall_resistance;
   brought_in_[node] = capacity * std::max(gate, 0.0) * (inlet - mold);
   for (std::size_t k = 0; k < count && gate < 0; ++k)
-    brought_in_[node] += capacity * gate * field.shares[begin + k] * system.right[k];
+    brought_in_[node] += capacity * gate * motion.field.shares[begin + k] * system.right[k];
 }
 
 void HeatTransport::begin(const StepFlow& step, const FlowField& field) {
@@ -119,9 +118,8 @@ void HeatTransport::begin(const StepFlow& step, const FlowField& field) {
   brought_in_.assign(mesh_->node_count(), 0);
 }
 
-void HeatTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
-                            FillingState& state) {
-  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), step, field, state);
+void HeatTransport::advance(std::span<const Index> nodes, const MeltMotion& motion, FillingState& state) {
+  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), motion, state);
 }
 
 void HeatTransport::end(FillingState& state) const {

@@ -25,14 +25,13 @@ class HeatTransport {
   /// Gets ready for a step, before the sweep down the flow.
   void begin(const StepFlow& step, const FlowField& field);
   /// Advances the temperatures of nodes whose upstream neighbours are done.
-  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
-               FillingState& state);
+  void advance(std::span<const Index> nodes, const MeltMotion& motion, FillingState& state);
   /// Adds to the account of heat, after the sweep.
   void end(FillingState& state) const;
 
  private:
   void collect_dissipation(const StepFlow& step, const FlowField& field);
-  void advance_node(std::size_t node, const StepFlow& step, const FlowField& field, FillingState& state);
+  void advance_node(std::size_t node, const MeltMotion& motion, FillingState& state);
 
   const ShellMesh* mesh_;
   const FillingParams* params_;

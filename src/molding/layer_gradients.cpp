@@ -11,8 +11,11 @@ Vec2 turned(const Vec2& turn, const Vec2& v) {
 }
 
 /// Adds the derivatives in the surface to components 11, 12, 21, 22.
-void add_surface_derivatives(const ShellMesh& mesh, const GapLayers& layers, const FlowField& field,
-                             const StepFlow& step, std::size_t node, LayerGradients& gradients) {
+void add_surface_derivatives(const ShellMesh& mesh, const MeltMotion& motion, std::size_t node,
+                             LayerGradients& gradients) {
+  const GapLayers& layers = motion.layers;
+  const StepFlow& step = motion.step;
+  const FlowField& field = motion.field;
   double xx = 0, xy = 0, yy = 0;
   for (const ShellNeighbour& to : mesh.neighbours(node)) {
     if (step.at_front[to.node] != 0) continue;
@@ -51,11 +54,13 @@ void add_surface_derivatives(const ShellMesh& mesh, const GapLayers& layers, con
 
 }  // namespace
 
-void find_layer_gradients(const ShellMesh& mesh, const GapLayers& layers, const FlowField& field,
-                          const StepFlow& step, std::size_t node, LayerGradients& gradients) {
+void find_layer_gradients(const ShellMesh& mesh, const MeltMotion& motion, std::size_t node,
+                          LayerGradients& gradients) {
+  const GapLayers& layers = motion.layers;
+  const FlowField& field = motion.field;
   const std::size_t count = layers.count();
   for (auto& component : gradients) std::fill_n(component.begin(), count, 0.0);
-  if (step.at_front[node] == 0) add_surface_derivatives(mesh, layers, field, step, node, gradients);
+  if (motion.step.at_front[node] == 0) add_surface_derivatives(mesh, motion, node, gradients);
   const double half = mesh.thickness(node) / 2;
   for (std::size_t k = 0; k < count; ++k) {
     const double shear = half * layers.shear_heights()[k] * field.inverse_viscosity[node * count + k];

@@ -17,7 +17,7 @@ using LayerGradients = std::array<std::array<double, most_half_layers>, 9>;
 /// Finds the gradients: dv/dz from the pressure and the viscosity, d/dx and d/dy by least squares over the
 /// neighbours of the layers' mean velocities, dv_z/dz from continuity. At the front only dv/dz is known.
 /// Layers that stand still have none. Neglected: d v_z/dx.
-void find_layer_gradients(const ShellMesh& mesh, const GapLayers& layers, const FlowField& field,
-                          const StepFlow& step, std::size_t node, LayerGradients& gradients);
+void find_layer_gradients(const ShellMesh& mesh, const MeltMotion& motion, std::size_t node,
+                          LayerGradients& gradients);
 
 }  // namespace fiberfate

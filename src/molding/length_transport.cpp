@@ -103,20 +103,20 @@ void LengthTransport::divide(double volume, double* sum) const {
   for (std::size_t f = field_begin_.back(); f < field_count(); ++f) sum[f] /= volume;
 }
 
-void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, const FlowField& field,
-                                    std::span<const double> stretching, const FillingState& state,
+void LengthTransport::prepare_decay(std::size_t node, const MeltMotion& motion, const FillingState& state,
                                     NodeScratch& scratch) const {
   const std::size_t count = layers_->count(), begin = node * count;
+  const StepFlow& step = motion.step;
   const std::optional<FiberCoupling>& coupling = params_->fibers.coupling;
-  const bool takes_matrix = !stretching.empty() && coupling && coupling->drag == DragViscosity::matrix;
+  const bool takes_matrix = !motion.stretching.empty() && coupling && coupling->drag == DragViscosity::matrix;
   for (std::size_t k = 0; k < count; ++k) {
     const double content = step.content[node] * layers_->widths()[k];
     const double mixed = content + step.layer_inflow[begin + k];
-    const double inverse = field.inverse_viscosity[begin + k];
+    const double inverse = motion.field.inverse_viscosity[begin + k];
     const bool flows = inverse > 0 && state.rate[begin + k] > 0 && mixed > 0;
     scratch.duration[k] = flows ? step.duration * content / mixed : 0;
     scratch.rate[k] = flows ? state.rate[begin + k] : 0;
-    const double stretched = takes_matrix ? stretching[begin + k] : 1;
+    const double stretched = takes_matrix ? motion.stretching[begin + k] : 1;
     scratch.viscosity[k] = flows ? 1 / (inverse * stretched) : 0;
   }
   const LengthFlows flows{std::span(scratch.rate).first(count), std::span(scratch.viscosity).first(count)};
@@ -130,8 +130,10 @@ void LengthTransport::prepare_decay(std::size_t node, const StepFlow& step, cons
   }
 }
 
-void LengthTransport::mix(std::size_t node, std::size_t layer, const StepFlow& step, const FlowField& field,
-                          std::span<double> sum, FillingState& state) const {
+void LengthTransport::mix(LayerOfNode at, const MeltMotion& motion, std::span<double> sum,
+                          FillingState& state) const {
+  const auto [node, layer] = at;
+  const StepFlow& step = motion.step;
   const std::size_t count = layers_->count(), fields = field_count(), point = node * count + layer;
   double* const value = &state.lengths[point * fields];
   const double content = step.content[node] * layers_->widths()[layer];
@@ -143,21 +145,19 @@ void LengthTransport::mix(std::size_t node, std::size_t layer, const StepFlow& s
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
     const auto there = static_cast<std::size_t>(from.node);
-    take(&state.lengths[(there * count + layer) * fields],
-         volume * layer_share(field, step, count, there, node, layer), sum.data());
+    take(&state.lengths[(there * count + layer) * fields], volume * motion.share(there, node, layer),
+         sum.data());
   }
   const double gate = step.gate_volume[node];
-  if (gate > 0)
-    take(inlets_[step.gate[node]].data(),
-         gate * (step.at_front[node] != 0 ? layers_->widths()[layer] : field.shares[point]), sum.data());
+  if (gate > 0) take(inlets_[step.gate[node]].data(), gate * motion.gate_share(node, layer), sum.data());
   for (const LayerTransfer& t : step.transfers_of(node, count))
     if (t.to == layer) take(&state.lengths[(node * count + t.from) * fields], t.volume, sum.data());
   divide(total, sum.data());
   std::copy(sum.begin(), sum.end(), value);
 }
 
-void LengthTransport::decay(std::size_t node, std::size_t layer, FillingState& state,
-                            const NodeScratch& scratch) const {
+void LengthTransport::decay(LayerOfNode at, FillingState& state, const NodeScratch& scratch) const {
+  const auto [node, layer] = at;
   const std::size_t count = layers_->count();
   double* const value = &state.lengths[(node * count + layer) * field_count()];
   for (std::size_t s = 0; s < phelps_.size(); ++s) {
@@ -175,12 +175,11 @@ void LengthTransport::decay(std::size_t node, std::size_t layer, FillingState& s
   }
 }
 
-void LengthTransport::advance_node(std::size_t node, const StepFlow& step, const FlowField& field,
-                                   std::span<const double> stretching, FillingState& state,
+void LengthTransport::advance_node(std::size_t node, const MeltMotion& motion, FillingState& state,
                                    NodeScratch& scratch) const {
   const std::size_t count = layers_->count();
-  prepare_decay(node, step, field, stretching, state, scratch);
-  const auto transfers = step.transfers_of(node, count);
+  prepare_decay(node, motion, state, scratch);
+  const auto transfers = motion.step.transfers_of(node, count);
   std::uint64_t waiting = 0, done = 0;
   for (std::size_t k = 0; k < count; ++k) waiting |= std::uint64_t{1} << k;
   // A layer follows those that it takes melt from; transfers never run in a ring.
@@ -191,23 +190,22 @@ void LengthTransport::advance_node(std::size_t node, const StepFlow& step, const
         return t.to != k || (done >> t.from & 1) != 0;
       });
       if (!ready) continue;
-      mix(node, k, step, field, scratch.sum, state);
-      decay(node, k, state, scratch);
+      mix({node, k}, motion, scratch.sum, state);
+      decay({node, k}, state, scratch);
       waiting &= ~(std::uint64_t{1} << k);
       done |= std::uint64_t{1} << k;
     }
   }
 }
 
-void LengthTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
-                              std::span<const double> stretching, FillingState& state) const {
+void LengthTransport::advance(std::span<const Index> nodes, const MeltMotion& motion,
+                              FillingState& state) const {
   if (field_count() == 0) return;
   NodeScratch scratch;
   scratch.survival.resize(phelps_.size() * layers_->count());
   scratch.limit.resize(phelps_.size() * layers_->count());
   scratch.sum.resize(field_count());
-  for (const Index node : nodes)
-    advance_node(static_cast<std::size_t>(node), step, field, stretching, state, scratch);
+  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), motion, state, scratch);
 }
 
 }  // namespace fiberfate

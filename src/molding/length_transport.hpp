@@ -39,22 +39,19 @@ class LengthTransport {
   [[nodiscard]] std::span<const double> bin_lengths(std::size_t set) const { return bin_lengths_[set]; }
 
   /// Advances the lengths of nodes whose upstream neighbours are done.
-  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
-               std::span<const double> stretching, FillingState& state) const;
+  void advance(std::span<const Index> nodes, const MeltMotion& motion, FillingState& state) const;
 
  private:
   struct NodeScratch;
   void write_inlet(const InletFibers& inlet, std::span<double> fields) const;
   void take(const double* from, double volume, double* sum) const;
   void divide(double volume, double* sum) const;
-  void advance_node(std::size_t node, const StepFlow& step, const FlowField& field,
-                    std::span<const double> stretching, FillingState& state, NodeScratch& scratch) const;
-  void prepare_decay(std::size_t node, const StepFlow& step, const FlowField& field,
-                     std::span<const double> stretching, const FillingState& state,
+  void advance_node(std::size_t node, const MeltMotion& motion, FillingState& state,
+                    NodeScratch& scratch) const;
+  void prepare_decay(std::size_t node, const MeltMotion& motion, const FillingState& state,
                      NodeScratch& scratch) const;
-  void mix(std::size_t node, std::size_t layer, const StepFlow& step, const FlowField& field,
-           std::span<double> sum, FillingState& state) const;
-  void decay(std::size_t node, std::size_t layer, FillingState& state, const NodeScratch& scratch) const;
+  void mix(LayerOfNode at, const MeltMotion& motion, std::span<double> sum, FillingState& state) const;
+  void decay(LayerOfNode at, FillingState& state, const NodeScratch& scratch) const;
 
   const ShellMesh* mesh_;
   const FillingParams* params_;

@@ -24,7 +24,7 @@ Components turned(const Vec2& turn, const Components& a) {
           c * s * (a[0] - a[1]) + (c * c - s * s) * a[5]};
 }
 
-bool fed_by_fountain_at(const StepFlow& step, std::size_t node, std::size_t layer, std::size_t layers) {
+bool fed_by_fountain(const StepFlow& step, std::size_t node, std::size_t layer, std::size_t layers) {
   if (step.at_front[node] == 0) return false;
   const auto transfers = step.transfers_of(node, layers);
   return std::any_of(transfers.begin(), transfers.end(),
@@ -36,6 +36,7 @@ bool fed_by_fountain_at(const StepFlow& step, std::size_t node, std::size_t laye
 /// The points that one thread takes at a time, layer by layer so that neighbours in a pack of eight
 /// turn at similar rates.
 struct OrientationTransport::Batch {
+  bool fed_by_fountain = false;  ///< those at the front that fountain flow feeds, or all others
   std::vector<std::size_t> points;
   std::array<std::vector<double>, 6> second;
   /// Times `share`, so that one duration fits all: rates are proportional to gradients. Only RPR's beta has a
@@ -69,16 +70,19 @@ Components OrientationTransport::inlet(std::size_t node, int gate, const FlowFie
   return {local(0, 0), local(1, 1), local(2, 2), 0, 0, local(0, 1)};
 }
 
-void OrientationTransport::mix(std::size_t node, std::size_t layer, const StepFlow& step,
-                               const FlowField& field, const FillingState& state, Components& mixed) const {
+Components OrientationTransport::mixed(LayerOfNode at, const MeltMotion& motion,
+                                       const FillingState& state) const {
+  const auto [node, layer] = at;
+  const StepFlow& step = motion.step;
   const std::size_t count = layers_->count(), point = node * count + layer;
   const double content = step.content[node] * layers_->widths()[layer];
-  const auto at = [&](std::size_t p) {
+  const auto second = [&](std::size_t p) {
     Components a;
     for (std::size_t m = 0; m < 6; ++m) a[m] = state.orientation[m][p];
     return a;
   };
   double total = content;
+  Components mixed;
   for (std::size_t m = 0; m < 6; ++m) mixed[m] = content * state.orientation[m][point];
   const auto take = [&](const Components& a, double volume) {
     for (std::size_t m = 0; m < 6; ++m) mixed[m] += volume * a[m];
@@ -88,22 +92,21 @@ void OrientationTransport::mix(std::size_t node, std::size_t layer, const StepFl
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
     const auto there = static_cast<std::size_t>(from.node);
-    const Components a = at(there * count + layer);
-    take(from.turn[0] < 1 ? turned(from.turn, a) : a,
-         volume * layer_share(field, step, count, there, node, layer));
+    const Components a = second(there * count + layer);
+    take(from.turn[0] < 1 ? turned(from.turn, a) : a, volume * motion.share(there, node, layer));
   }
   const double gate = step.gate_volume[node];
-  if (gate > 0)
-    take(inlet(node, step.gate[node], field),
-         gate * (step.at_front[node] != 0 ? layers_->widths()[layer] : field.shares[point]));
+  if (gate > 0) take(inlet(node, step.gate[node], motion.field), gate * motion.gate_share(node, layer));
   for (const LayerTransfer& t : step.transfers_of(node, count))
     if (t.to == layer && (step.content[node] > 0 || step.at_front[node] != 0))
-      take(at(node * count + t.from), t.volume);
+      take(second(node * count + t.from), t.volume);
   for (double& component : mixed) component /= total;
+  return mixed;
 }
 
-void OrientationTransport::load(std::span<const Index> nodes, bool fed_by_fountain, const StepFlow& step,
-                                const FlowField& field, const FillingState& state, Batch& batch) const {
+void OrientationTransport::load(std::span<const Index> nodes, const MeltMotion& motion,
+                                const FillingState& state, Batch& batch) const {
+  const StepFlow& step = motion.step;
   const std::size_t count = layers_->count();
   const bool scaled = params_->fibers.orientation->constants.beta == 0;
   batch.points.clear();
@@ -116,13 +119,12 @@ void OrientationTransport::load(std::span<const Index> nodes, bool fed_by_founta
       const std::size_t point = node * count + k;
       const double content = step.content[node] * layers_->widths()[k];
       const double total = content + step.layer_inflow[point];
-      if (!(total > 0) || fed_by_fountain_at(step, node, k, count) != fed_by_fountain) continue;
-      Components mixed;
-      mix(node, k, step, field, state, mixed);
+      if (!(total > 0) || fed_by_fountain(step, node, k, count) != batch.fed_by_fountain) continue;
+      const Components a = mixed({node, k}, motion, state);
       const double share = content / total;
       batch.points.push_back(point);
       batch.share.push_back(share);
-      for (std::size_t m = 0; m < 6; ++m) batch.second[m].push_back(mixed[m]);
+      for (std::size_t m = 0; m < 6; ++m) batch.second[m].push_back(a[m]);
       for (std::size_t m = 0; m < 9; ++m)
         batch.gradient[m].push_back((scaled ? share : 1) * batch.of_node[n][m][k]);
     }
@@ -152,7 +154,7 @@ void OrientationTransport::turn_and_store(double duration, Batch& batch, Filling
     for (std::size_t m = 0; m < 6; ++m) state.orientation[m][batch.points[p]] = batch.second[m][p];
 }
 
-void OrientationTransport::advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
+void OrientationTransport::advance(std::span<const Index> nodes, const MeltMotion& motion,
                                    FillingState& state) const {
   if (!law_) return;
   Batch batch;
@@ -160,14 +162,15 @@ void OrientationTransport::advance(std::span<const Index> nodes, const StepFlow&
   bool fountain = false;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const auto node = static_cast<std::size_t>(nodes[n]);
-    find_layer_gradients(*mesh_, *layers_, field, step, node, batch.of_node[n]);
-    fountain = fountain || step.at_front[node] != 0;
+    find_layer_gradients(*mesh_, motion, node, batch.of_node[n]);
+    fountain = fountain || motion.step.at_front[node] != 0;
   }
-  load(nodes, false, step, field, state, batch);
-  turn_and_store(step.duration, batch, state);
-  if (!fountain) return;
-  load(nodes, true, step, field, state, batch);
-  turn_and_store(step.duration, batch, state);
+  for (const bool fed : {false, true}) {
+    if (fed && !fountain) return;
+    batch.fed_by_fountain = fed;
+    load(nodes, motion, state, batch);
+    turn_and_store(motion.step.duration, batch, state);
+  }
 }
 
 }  // namespace fiberfate

@@ -24,16 +24,15 @@ class OrientationTransport {
   OrientationTransport(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers);
 
   /// Advances the orientation of nodes whose upstream neighbours are done.
-  void advance(std::span<const Index> nodes, const StepFlow& step, const FlowField& field,
-               FillingState& state) const;
+  void advance(std::span<const Index> nodes, const MeltMotion& motion, FillingState& state) const;
 
  private:
   struct Batch;
   [[nodiscard]] std::array<double, 6> inlet(std::size_t node, int gate, const FlowField& field) const;
-  void mix(std::size_t node, std::size_t layer, const StepFlow& step, const FlowField& field,
-           const FillingState& state, std::array<double, 6>& mixed) const;
-  void load(std::span<const Index> nodes, bool fed_by_fountain, const StepFlow& step, const FlowField& field,
-            const FillingState& state, Batch& batch) const;
+  [[nodiscard]] std::array<double, 6> mixed(LayerOfNode at, const MeltMotion& motion,
+                                            const FillingState& state) const;
+  void load(std::span<const Index> nodes, const MeltMotion& motion, const FillingState& state,
+            Batch& batch) const;
   void turn_and_store(double duration, Batch& batch, FillingState& state) const;
 
   const ShellMesh* mesh_;
@@ -41,11 +40,5 @@ class OrientationTransport {
   const GapLayers* layers_;
   std::optional<OrientationLaw> law_;
 };
-
-/// Writes 1 + R (D:A4:D)/(D:D) of every point that holds melt, with D the shear across the gap
-/// (FiberCoupling); `length_field` is the place of the length that gives the aspect ratio, below 0 for none.
-void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,
-                       const FillingState& state, const FlowField& field, std::ptrdiff_t length_field,
-                       std::vector<double>& stretching);
 
 }  // namespace fiberfate

@@ -64,8 +64,8 @@ void still_contents(const ShellMesh& mesh, const FillingState& state, StepFlow& 
 }
 
 /// How long a step of at most `volume` at `rate` is: at most the aimed one, and not past an event.
-double cut_at_events(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                     const FillingState& state, double volume, double rate) {
+double cut_at_events(const Machine& machine, const FillingState& state, double volume, double rate) {
+  const auto& [params, mesh, gates] = machine;
   const double total = mesh.total_volume(), fraction = fraction_of(mesh, state);
   const FlowProfile& profile = params.process.flow;
   const double aimed = total / params.numerics.steps;
@@ -148,13 +148,13 @@ void note_control(const FillingParams& params, const FlowField& field, double fi
   }
 }
 
-bool prime_at_sprue(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                    FillingState& state, StepFlow& step, FlowField& field) {
+bool prime_at_sprue(const Machine& machine, FillingState& state, StepFlow& step, FlowField& field) {
+  const auto& [params, mesh, gates] = machine;
   const double missing = gates.lacking(RunnerKind::none, state);
   if (!(missing > 0)) return false;
   still_field(mesh, state, field);
   state.flow_rate = field.rate = params.process.flow.at(state.time, fraction_of(mesh, state));
-  step.duration = cut_at_events(params, mesh, gates, state, missing, state.flow_rate);
+  step.duration = cut_at_events(machine, state, missing, state.flow_rate);
   const double share = std::min(1.0, step.duration * state.flow_rate / missing);
   still_contents(mesh, state, step);
   gates.fill_at_sprue(share, state, step.gate_volume);
@@ -169,26 +169,27 @@ bool prime_at_sprue(const FillingParams& params, const ShellMesh& mesh, const Ga
   return true;
 }
 
-void stand_still(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                 FillingState& state, StepFlow& step, FlowField& field) {
+void stand_still(const Machine& machine, FillingState& state, StepFlow& step, FlowField& field) {
+  const FillingParams& params = machine.params;
+  const ShellMesh& mesh = machine.mesh;
   still_field(mesh, state, field);
   still_contents(mesh, state, step);
   std::fill(field.gradient.begin(), field.gradient.end(), Vec2::Zero());
   std::fill(state.rate.begin(), state.rate.end(), 0.0);
   state.flow_rate = field.rate = 0;
   const double set_rate = params.process.flow.at(state.time, fraction_of(mesh, state));
-  step.duration = cut_at_events(params, mesh, gates, state, 0, 0);
+  step.duration = cut_at_events(machine, state, 0, 0);
   step.duration = std::min(step.duration, mesh.total_volume() / params.numerics.steps / set_rate);
 }
 
-double step_duration(const FillingParams& params, const ShellMesh& mesh, const GateControl& gates,
-                     const FillingState& state, const FlowField& field) {
+double step_duration(const Machine& machine, const FillingState& state, const FlowField& field) {
+  const auto& [params, mesh, gates] = machine;
   if (settling(mesh, state))
     return total_excess(state) / params.process.flow.at(state.time, fraction_of(mesh, state));
   const double aimed = mesh.total_volume() / params.numerics.steps;
   const double ahead = volume_at_front(mesh, field) + gates.lacking(RunnerKind::resisting, state);
   const double volume = std::max(ahead, shortest_share * aimed);
-  const double duration = std::min(cut_at_events(params, mesh, gates, state, volume, field.rate),
+  const double duration = std::min(cut_at_events(machine, state, volume, field.rate),
                                    gates.time_to_fill(state, field.sprue_pressure));
   // Full nodes must not give up more than their excess: they would lack melt and yet count as full.
   const bool fed =

@@ -79,9 +79,8 @@ void sort_into_levels(const ShellMesh& mesh, StepFlow& step) {
   }
 }
 
-void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const StepFlow& step, FlowField& field,
-                      FillingState& state) {
-  const std::size_t count = layers.count();
+void inherit_at_front(const Cavity& cavity, const StepFlow& step, FlowField& field, FillingState& state) {
+  const std::size_t count = cavity.layers.count();
   for (const Index index : step.order) {
     const auto node = static_cast<std::size_t>(index);
     if (step.at_front[node] == 0) continue;
@@ -89,7 +88,7 @@ void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const Step
     LayerVolumes share{}, rate{}, inverse{};
     double fluidity = 0;
     Vec2 gradient = Vec2::Zero();
-    for (const ShellNeighbour& from : mesh.neighbours(node)) {
+    for (const ShellNeighbour& from : cavity.mesh.neighbours(node)) {
       const double volume = step.inflow(node, from);
       if (!(volume > 0)) continue;
       total += volume;
@@ -105,7 +104,7 @@ void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const Step
       }
     }
     if (!(total > 0)) {
-      let_rest(layers, node, field, state);
+      let_rest(cavity.layers, node, field, state);
       continue;
     }
     field.gradient[node] = gradient / total;
@@ -118,29 +117,27 @@ void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const Step
   }
 }
 
-void split_by_layers(const ShellMesh& mesh, const GapLayers& layers, const FlowField& field, StepFlow& step) {
-  const std::size_t count = layers.count(), n = mesh.node_count();
+void split_by_layers(const Cavity& cavity, const FlowField& field, StepFlow& step) {
+  const std::size_t count = cavity.layers.count(), n = cavity.mesh.node_count();
+  const MeltMotion motion{cavity.layers, step, field};
   step.layer_inflow.resize(n * count);
   step.transfers.resize(n * (count - 1));
   step.transfer_count.assign(n, 0);
   parallel_for(static_cast<std::ptrdiff_t>(step.order.size()), [&](std::ptrdiff_t place) {
     const auto node = static_cast<std::size_t>(step.order[place]);
     LayerVolumes in{}, out{};
-    for (const ShellNeighbour& other : mesh.neighbours(node)) {
+    for (const ShellNeighbour& other : cavity.mesh.neighbours(node)) {
       const double volume = step.inflow(node, other);
       const auto there = static_cast<std::size_t>(other.node);
-      for (std::size_t k = 0; k < count && volume > 0; ++k)
-        in[k] += volume * layer_share(field, step, count, there, node, k);
-      for (std::size_t k = 0; k < count && volume < 0; ++k)
-        out[k] -= volume * layer_share(field, step, count, node, there, k);
+      for (std::size_t k = 0; k < count && volume > 0; ++k) in[k] += volume * motion.share(there, node, k);
+      for (std::size_t k = 0; k < count && volume < 0; ++k) out[k] -= volume * motion.share(node, there, k);
     }
     const double gate = step.gate_volume[node];
     const double growth = step.new_content[node] - step.content[node];
     LayerVolumes surplus;
     for (std::size_t k = 0; k < count; ++k) {
-      const double share = step.at_front[node] != 0 ? layers.widths()[k] : field.shares[node * count + k];
-      (gate > 0 ? in : out)[k] += std::abs(gate) * share;
-      surplus[k] = in[k] - out[k] - growth * layers.widths()[k];
+      (gate > 0 ? in : out)[k] += std::abs(gate) * motion.gate_share(node, k);
+      surplus[k] = in[k] - out[k] - growth * cavity.layers.widths()[k];
     }
     const auto transfers = std::span(step.transfers).subspan(node * (count - 1), count - 1);
     const std::size_t made = step.at_front[node] != 0 ? match_fountain(surplus, count, transfers)

@@ -19,6 +19,11 @@ struct LayerTransfer {
   double volume = 0;  ///< m³, positive
 };
 
+/// One layer of one node.
+struct LayerOfNode {
+  std::size_t node, layer;
+};
+
 /// Volumes (m³) that move in one step. Every field that rides on the melt moves by them: a layer of a
 /// node then holds, mixed,
 ///   (content value + sum of inflow · value of its origin)/(content + inflow),
@@ -48,27 +53,44 @@ struct StepFlow {
   }
 };
 
-/// The share of what flows between two nodes that is in layer k: the mean of both where both are full,
-/// else that of the one it comes from (the front inherits its shares).
-[[nodiscard]] inline double layer_share(const FlowField& field, const StepFlow& step, std::size_t layers,
-                                        std::size_t from, std::size_t to, std::size_t k) {
-  const double share = field.shares[from * layers + k];
-  if (step.at_front[from] != 0 || step.at_front[to] != 0) return share;
-  return 0.5 * (share + field.shares[to * layers + k]);
-}
+/// The space that fills, and the layers that half of its gap has everywhere.
+struct Cavity {
+  const ShellMesh& mesh;
+  const GapLayers& layers;
+};
+
+/// One step of the melt, as all that rides on it sees it.
+struct MeltMotion {
+  const GapLayers& layers;
+  const StepFlow& step;
+  const FlowField& field;
+  std::span<const double> stretching =
+      {};  ///< 1 + R (D:A4:D)/(D:D) by point; empty where fibers do not count
+
+  /// The share of what flows between two nodes that is in layer k: the mean of both where both are full,
+  /// else that of the one it comes from (the front inherits its shares).
+  [[nodiscard]] double share(std::size_t from, std::size_t to, std::size_t k) const {
+    const double there = field.shares[from * layers.count() + k];
+    if (step.at_front[from] != 0 || step.at_front[to] != 0) return there;
+    return 0.5 * (there + field.shares[to * layers.count() + k]);
+  }
+  /// The share of what a gate brings into a node that is in layer k.
+  [[nodiscard]] double gate_share(std::size_t node, std::size_t k) const {
+    return step.at_front[node] != 0 ? layers.widths()[k] : field.shares[node * layers.count() + k];
+  }
+};
 
 /// Sorts the nodes into levels, down the flow.
 void sort_into_levels(const ShellMesh& mesh, StepFlow& step);
 
 /// Gives nodes of the front the flow shares, shear rates, viscosities and pressure gradient of the melt that
 /// comes in. Where none comes from another node the melt rests: nothing shears it.
-void inherit_at_front(const ShellMesh& mesh, const GapLayers& layers, const StepFlow& step, FlowField& field,
-                      FillingState& state);
+void inherit_at_front(const Cavity& cavity, const StepFlow& step, FlowField& field, FillingState& state);
 
 /// Splits the step's volumes by layers and closes each layer's balance by flow across the gap: from layer to
 /// neighbouring layer behind the front; at the front as fountain flow. There the layers of the core, faster
 /// than the front, bring more than they need, and those at the wall less; a stream line leaves the core and
 /// reaches the wall at the same stream function, so the mid-plane's surplus goes to the wall first.
-void split_by_layers(const ShellMesh& mesh, const GapLayers& layers, const FlowField& field, StepFlow& step);
+void split_by_layers(const Cavity& cavity, const FlowField& field, StepFlow& step);
 
 }  // namespace fiberfate

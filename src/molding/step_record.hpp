@@ -24,10 +24,9 @@ struct RecordedStep {
 class StepRecord {
  public:
   /// Keeps a step, as the transport of lengths is about to see it.
-  void keep(const StepFlow& flow, const FlowField& field, std::span<const double> stretching,
-            const FillingState& state);
+  void keep(const MeltMotion& motion, const FillingState& state);
   /// Follows lengths from an empty cavity through all steps; gives FillingState::lengths of the last one.
-  [[nodiscard]] std::vector<double> follow(const LengthTransport& transport, std::size_t points) const;
+  [[nodiscard]] std::vector<double> follow(const LengthTransport& transport, const Cavity& cavity) const;
   [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
 
  private:

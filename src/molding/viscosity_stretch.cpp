@@ -1,11 +1,12 @@
 // Finds by how much fibers raise the viscosity.
+#include "molding/viscosity_stretch.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/threads.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "microstructure/closure.hpp"
-#include "molding/orientation_transport.hpp"
 
 namespace fiberfate {
 namespace {
@@ -26,15 +27,13 @@ double share_of_stretching(const FillingState& state, std::size_t point, const V
 
 }  // namespace
 
-void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const GapLayers& layers,
-                       const FillingState& state, const FlowField& field, std::ptrdiff_t length_field,
-                       std::vector<double>& stretching) {
-  const FiberCoupling& coupling = *params.fibers.coupling;
-  const std::size_t count = layers.count(), n = mesh.node_count();
+std::vector<double> ViscosityStretch::at(const FillingState& state, const FlowField& field) const {
+  const FiberCoupling& coupling = *fibers_.coupling;
+  const std::size_t count = cavity_.layers.count(), n = cavity_.mesh.node_count();
   const std::size_t fields = state.lengths.size() / (n * count);
-  const std::size_t place = length_field < 0 ? 0 : static_cast<std::size_t>(length_field);
-  const Closure closure = params.fibers.orientation->closure;
-  stretching.assign(n * count, 1);
+  const std::size_t place = length_field_ < 0 ? 0 : static_cast<std::size_t>(length_field_);
+  const Closure closure = fibers_.orientation->closure;
+  std::vector<double> stretching(n * count, 1);
   parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
     const auto node = static_cast<std::size_t>(i);
     if (!(state.filled[node] > 0) || field.gradient.size() != n) return;
@@ -42,13 +41,14 @@ void stretch_viscosity(const ShellMesh& mesh, const FillingParams& params, const
     if (!(gradient.norm() > 0)) return;
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t point = node * count + k;
-      const double ratio = length_field < 0 ? coupling.aspect_ratio
-                                            : state.lengths[point * fields + place] / coupling.diameter;
+      const double ratio = length_field_ < 0 ? coupling.aspect_ratio
+                                             : state.lengths[point * fields + place] / coupling.diameter;
       const double term = coupling.scale * coupling.volume_fraction *
                           particle_number(std::max(ratio, least_aspect_ratio), coupling.volume_fraction);
       stretching[point] = 1 + term * share_of_stretching(state, point, gradient.normalized(), closure);
     }
   });
+  return stretching;
 }
 
 }  // namespace fiberfate

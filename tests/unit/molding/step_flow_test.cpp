@@ -48,7 +48,7 @@ TEST(StepFlow, FountainTakesTheMidPlaneToTheWall) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t k = 0; k < 4; ++k) row.field.shares[i * 4 + k] = (7 - 2 * static_cast<double>(k)) / 16;
   sort_into_levels(row.mesh, row.step);
-  split_by_layers(row.mesh, row.layers, row.field, row.step);
+  split_by_layers({row.mesh, row.layers}, row.field, row.step);
   const auto transfers = row.step.transfers_of(2, 4);
   ASSERT_EQ(transfers.size(), 2u);
   EXPECT_EQ(transfers[0].from, 0);
@@ -65,7 +65,7 @@ TEST(StepFlow, ProfilesThatChangeMoveMeltFromLayerToLayer) {
   Row row;
   for (std::size_t k = 0; k < 4; ++k) row.field.shares[k] = 0.25;  // plug flow at the gate
   sort_into_levels(row.mesh, row.step);
-  split_by_layers(row.mesh, row.layers, row.field, row.step);
+  split_by_layers({row.mesh, row.layers}, row.field, row.step);
   double up_to = 0;
   for (const LayerTransfer& t : row.step.transfers_of(1, 4)) {
     EXPECT_EQ(t.from, t.to + 1);  // the core runs ahead and draws from outside
