@@ -12,6 +12,7 @@
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "reference/awkward_states.hpp"
 
 namespace fiberfate {
 namespace {
@@ -41,16 +42,6 @@ std::vector<OrientationModel> all_models(Closure closure) {
 
 std::string label(const OrientationModel& model) {
   return std::string(name(model.diffusion)) + "+" + name(model.retardation) + " " + name(model.closure);
-}
-
-/// Isotropic, pairs of equal values, nearly equal, planar, nearly planar and aligned states.
-std::vector<Mat3> awkward_states() {
-  std::vector<Mat3> states;
-  for (const Vec3& values : {Vec3(1.0 / 3, 1.0 / 3, 1.0 / 3), Vec3(0.5, 0.25, 0.25), Vec3(0.4, 0.4, 0.2),
-                             Vec3(0.4, 0.4 - 1e-10, 0.2 + 1e-10), Vec3(0.6, 0.4, 0),
-                             Vec3(0.6, 0.4 - 1e-7, 1e-7), Vec3(0.5, 0.5, 0), Vec3(1, 0, 0)})
-    states.emplace_back(values.asDiagonal());
-  return states;
 }
 
 /// Each state in each flow, the flow turned so that its axes are not those of the state.

@@ -11,6 +11,7 @@
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "reference/awkward_states.hpp"
 
 namespace fiberfate {
 namespace {
@@ -54,16 +55,6 @@ Mat3 some_rotation() {
 }
 
 const Mat3 isotropic = Mat3::Identity() / 3;
-
-/// States without, with two and with three equal principal values, planar and aligned ones.
-std::vector<Mat3> awkward_states() {
-  std::vector<Mat3> states;
-  for (const Vec3& values :
-       {Vec3(0.6, 0.3, 0.1), Vec3(0.5, 0.25, 0.25), Vec3(0.4, 0.4, 0.2), Vec3(1.0 / 3, 1.0 / 3, 1.0 / 3),
-        Vec3(0.6, 0.4, 0), Vec3(0.5, 0.5, 0), Vec3(1, 0, 0), Vec3(1 - 2e-13, 1e-13, 1e-13)})
-    states.emplace_back(values.asDiagonal());
-  return states;
-}
 
 TEST(OrientationInvariance, TurningFlowAndStateTurnsTheRate) {
   // Exact closure: its quadrature keeps 1e-14 of the components, its frame too.
