@@ -112,7 +112,7 @@ TEST(AwkwardStates, IsotropicStartsAreObjective) {
   for (const OrientationModel& model : all_models(Closure::ibof)) {
     if (model.retardation == Retardation::srf) continue;
     const auto after = [&](const Mat3& gradient) {
-      OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(gradient), {},
+      OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({gradient}), {},
                                        {.absolute = 1e-10, .relative = 1e-10});
       integrator.advance_to(3);
       return integrator.state().second;
@@ -128,7 +128,7 @@ TEST(AwkwardStates, HistoriesScaleWithTheRate) {
     model.constants.beta = 0;  // the one constant with a dimension
     const auto after = [&](double rate, double time) {
       OrientationIntegrator integrator(OrientationLaw(model),
-                                       GradientHistory::constant(rate * simple_shear_gradient()), {},
+                                       FlowHistory::constant({rate * simple_shear_gradient()}), {},
                                        {.absolute = 1e-10, .relative = 1e-10});
       integrator.advance_to(time);
       return integrator.state().second;
@@ -144,9 +144,8 @@ TEST(AwkwardStates, LongFibersTendToSlenderOnes) {
     model.constants.c_i = 0.005;
     model.constants.kappa = 0.3;
     model.constants.xi = shape_factor(aspect_ratio);
-    OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant(simple_shear_gradient()), {},
-                                     {.absolute = 1e-12, .relative = 1e-12});
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({simple_shear_gradient()}),
+                                     {}, {.absolute = 1e-12, .relative = 1e-12});
     integrator.advance_to(20);
     return integrator.state().second(0, 0);
   };

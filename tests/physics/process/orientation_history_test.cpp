@@ -31,7 +31,7 @@ OrientationModel iard_rpr() {
 
 TEST(OrientationHistory, TraceStaysOneThroughAThousandUnitsOfStrain) {
   OrientationIntegrator integrator(OrientationLaw(iard_rpr()),
-                                   GradientHistory::constant(simple_shear_gradient()), {});
+                                   FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(1000);
   EXPECT_NEAR(integrator.state().second.trace(), 1, 1e-14);
   EXPECT_EQ(fault_of(integrator.state().second), "");
@@ -42,7 +42,7 @@ TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
   // Jeffery's motion is reversible: F after the reversal is the identity.
   OrientationModel model;
   model.closure = Closure::exact;
-  const GradientHistory history({{2, simple_shear_gradient()}, {4, Mat3(-simple_shear_gradient())}});
+  const FlowHistory history({{0, {simple_shear_gradient()}}, {2, {-simple_shear_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(4);
@@ -52,7 +52,7 @@ TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
 TEST(OrientationHistory, ChangesOfFlowAreMetExactly) {
   OrientationModel model;
   model.closure = Closure::exact;
-  const GradientHistory history({{0.7, simple_shear_gradient()}, {1.9, uniaxial_elongation_gradient()}});
+  const FlowHistory history({{0, {simple_shear_gradient()}}, {0.7, {uniaxial_elongation_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(1.9);
@@ -63,11 +63,11 @@ TEST(OrientationHistory, ChangesOfFlowAreMetExactly) {
 
 TEST(OrientationHistory, InterpolatedGradientsConverge) {
   // D(t) = t E: the same as E for t²/2, since E commutes with itself.
-  const std::vector<Mat3> gradients = {Mat3::Zero(), planar_elongation_gradient()};
+  const FlowHistory ramp({{0, {}}, {1, {planar_elongation_gradient()}}}, HistoryForm::ramps);
   OrientationModel model;
   model.closure = Closure::exact;
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::interpolated({0, 1}, gradients, 8),
-                                   {}, {.absolute = 1e-11, .relative = 1e-11});
+  OrientationIntegrator integrator(OrientationLaw(model), ramp.in_steps(8), {},
+                                   {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(1);
   EXPECT_LT((integrator.state().second -
              carried_isotropic_state(fiber_deformation(planar_elongation_gradient(), 1, 0.5)))
@@ -77,7 +77,7 @@ TEST(OrientationHistory, InterpolatedGradientsConverge) {
 
 double steady_a11(Closure closure) {
   const OrientationLaw law(folgar_tucker(0.01, closure));
-  OrientationIntegrator integrator(law, GradientHistory::constant(simple_shear_gradient()), {});
+  OrientationIntegrator integrator(law, FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(300);
   EXPECT_LT(law.rate(integrator.state().second, simple_shear_gradient()).norm(), 1e-7);
   return integrator.state().second(0, 0);
@@ -123,7 +123,7 @@ TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {
   law.advance(points, {.duration = 2, .tolerance = 1e-9});
   for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{500}, count - 1}) {
     const Vec6 rate = to_components(law.rate(state_of(i), gradient_of(i)));
-    OrientationIntegrator integrator(law, GradientHistory::constant(gradient_of(i)), {0, state_of(i)},
+    OrientationIntegrator integrator(law, FlowHistory::constant({gradient_of(i)}), {0, state_of(i)},
                                      {.absolute = 1e-12, .relative = 1e-12});
     integrator.advance_to(2);
     const Vec6 after = to_components(integrator.state().second);
@@ -143,11 +143,11 @@ TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {
 
 TEST(OrientationHistory, ImpossibleStartsAndHistoriesAreRefused) {
   const OrientationLaw law(iard_rpr());
-  const GradientHistory shear = GradientHistory::constant(simple_shear_gradient());
+  const FlowHistory shear = FlowHistory::constant({simple_shear_gradient()});
   EXPECT_THROW(OrientationIntegrator(law, shear, {0, Mat3(Vec3(0.7, 0.5, -0.2).asDiagonal())}), InputError);
   EXPECT_THROW(OrientationIntegrator(law, shear, {0, Mat3::Identity()}), InputError);
-  EXPECT_THROW(GradientHistory({}), InputError);
-  EXPECT_THROW(GradientHistory({{1, Mat3::Zero()}, {1, Mat3::Zero()}}), InputError);
+  const FlowHistory ramp({{0, {}}, {1, {simple_shear_gradient()}}}, HistoryForm::ramps);
+  EXPECT_THROW(OrientationIntegrator(law, ramp, {}), InputError);
 }
 
 }  // namespace

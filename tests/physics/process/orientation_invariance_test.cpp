@@ -150,7 +150,7 @@ TEST(OrientationInvariance, AnIsotropicStartIsRetardedInTheAxesOfTheStrain) {
 TEST(OrientationInvariance, AnAxisymmetricFlowKeepsAnAxisymmetricState) {
   for (const OrientationModel& model : all_models(Closure::ore)) {
     OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant(uniaxial_elongation_gradient()), {});
+                                     FlowHistory::constant({uniaxial_elongation_gradient()}), {});
     integrator.advance_to(3);
     const Mat3 state = integrator.state().second;
     EXPECT_NEAR(state(1, 1), state(2, 2), 1e-12) << label(model);

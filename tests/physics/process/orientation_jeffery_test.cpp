@@ -36,7 +36,7 @@ TEST(JefferyMotion, TheExactClosureReproducesThePopulations) {
   OrientationModel model;
   model.closure = Closure::exact;
   for (const auto& row : reference_table("jeffery_exact.json")["cases"]) {
-    OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(matrix3(row["L"])), {},
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({matrix3(row["L"])}), {},
                                      {.absolute = 1e-12, .relative = 1e-12});
     for (std::size_t k = 0; k < row["t"].size(); ++k) {
       integrator.advance_to(row["t"][k]);

@@ -33,7 +33,7 @@ TEST(SlowRetardation, ReachesTheSteadyStateThatItDoesNotMove) {
   for (const Retardation retardation : {Retardation::rsc, Retardation::rpr}) {
     for (const double left : {0.1, 0.01, 1e-3}) {
       OrientationIntegrator integrator(OrientationLaw(retarded(retardation, left)),
-                                       GradientHistory::constant(shear()), {}, {1e-10, 1e-10});
+                                       FlowHistory::constant({shear()}), {}, {1e-10, 1e-10});
       integrator.advance_to(200 / left);
       const Mat3& a = integrator.state().second;
       EXPECT_NEAR(a(0, 0), 0.6493761451, 1e-9) << left;
@@ -55,7 +55,7 @@ TEST(SlowRetardation, StepsAlongTheAxesAgreeWithExplicitOnes) {
   tuned.constants.beta = 0.01;
   for (const OrientationModel& model :
        {retarded(Retardation::rsc, 0.3), retarded(Retardation::rpr, 0.3), tuned}) {
-    OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(shear()), {0, start},
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({shear()}), {0, start},
                                      {1e-12, 1e-12});
     integrator.advance_to(7);
     Mat3 state = start;
@@ -87,7 +87,7 @@ TEST(SlowRetardation, ConvergesFromAnIsotropicStart) {
 TEST(SlowRetardation, LeavesTheIsotropicStateAlongTheRateOfStrain) {
   const OrientationModel model = retarded(Retardation::rsc, 1e-3);
   const double duration = 0.5;
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(shear()), {},
+  OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({shear()}), {},
                                    {1e-10, 1e-10});
   integrator.advance_to(duration);
   const Mat3 isotropic = Mat3::Identity() / 3;
@@ -115,7 +115,7 @@ TEST(SlowRetardation, BatchesGetThroughFromIsotropicPoints) {
   OrientationLaw(model).advance(points, {.duration = 10, .tolerance = 1e-8});
   for (std::size_t i = 0; i < count; ++i) {
     OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant((1 + static_cast<double>(i)) * shear()), {},
+                                     FlowHistory::constant({(1 + static_cast<double>(i)) * shear()}), {},
                                      {1e-11, 1e-11});
     integrator.advance_to(10);
     EXPECT_NEAR(second[6 * i], integrator.state().second(0, 0), 1e-5) << i;

@@ -48,7 +48,7 @@ OrientationModel model_with(RotaryDiffusion diffusion, Retardation retardation, 
 }
 
 Mat3 after_a_long_run(const OrientationModel& model, const Mat3& gradient, double duration) {
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(gradient), {},
+  OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({gradient}), {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(duration);
   return integrator.state().second;
@@ -123,7 +123,7 @@ TEST(SteadyOrientation, RetardationOnlySlowsTheApproach) {
 TEST(SteadyOrientation, DisturbancesDieOutAtTheRateThatIsTold) {
   const OrientationModel model = model_with(RotaryDiffusion::folgar_tucker, Retardation::rsc, Closure::ibof);
   const SteadyOrientation steady = steady_orientation(model, simple_shear_gradient());
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(simple_shear_gradient()),
+  OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({simple_shear_gradient()}),
                                    {}, {.absolute = 1e-13, .relative = 1e-13});
   // Late enough that only the slowest disturbance is left, early enough that it is above the tolerance.
   integrator.advance_to(12 / steady.decay_rate);

@@ -231,19 +231,18 @@ TEST(ImpossibleInput, MeltsOfImpossibleStatesAreRefused) {
 }
 
 TEST(ImpossibleInput, HistoriesRefuseWhatNoClockShows) {
-  const LengthHistory history = LengthHistory::constant({10, 0, 0});
+  const FlowHistory history = FlowHistory::constant(simple_shear(10));
   EXPECT_NE(refusal([&] { static_cast<void>(history.parts(2, 1)); }), "");
   EXPECT_NE(refusal([&] { static_cast<void>(history.parts(0, nan_value)); }), "");
-  EXPECT_NE(refusal([&] { LengthHistory({{0, infinity, 0, 0}}, HistoryForm::steps); }), "");
-  OrientationIntegrator integrator(some_law(), GradientHistory::constant(simple_shear_gradient()), {});
+  EXPECT_NE(refusal([&] { FlowHistory({{0, simple_shear(infinity)}}); }), "");
+  OrientationIntegrator integrator(some_law(), FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(1);
   for (const double bad : {0.5, nan_value, infinity})
     EXPECT_NE(refusal([&] { integrator.advance_to(bad); }), "") << bad;
-  EXPECT_NE(
-      refusal([&] {
-        OrientationIntegrator(some_law(), GradientHistory::constant(simple_shear_gradient()), {}, {0, 0});
-      }),
-      "");
+  EXPECT_NE(refusal([&] {
+              OrientationIntegrator(some_law(), FlowHistory::constant({simple_shear_gradient()}), {}, {0, 0});
+            }),
+            "");
 }
 
 TEST(ImpossibleInput, SingleFormulasRefuseIt) {
