@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "continuum/orientation_registry.hpp"
 #include "continuum/principal_axes_steps.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/eigenframe.hpp"

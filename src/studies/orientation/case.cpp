@@ -18,10 +18,10 @@ namespace {
 /// Intervals into which a ramp between two rows of the table is cut; the error falls with its square.
 constexpr int ramp_pieces = 16;
 
-template <class Choice>
-LawMenu menu_of(const std::vector<OrientationChoice<Choice>>& choices) {
+template <class Row>
+LawMenu menu_of(const std::vector<Row>& choices) {
   LawMenu menu;
-  for (const OrientationChoice<Choice>& choice : choices) {
+  for (const Row& choice : choices) {
     LawMenuItem item{choice.name, choice.meaning, {}};
     for (const std::string& name : choice.constants)
       for (const OrientationConstant& constant : orientation_constants())

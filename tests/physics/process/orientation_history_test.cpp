@@ -8,6 +8,7 @@
 #include "base/threads.hpp"
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
+#include "continuum/orientation_registry.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
@@ -16,13 +17,13 @@ namespace fiberfate {
 namespace {
 
 OrientationModel folgar_tucker(double c_i, Closure closure) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, closure, {}};
+  OrientationModel model{rotary_diffusion_named("folgar_tucker"), retardation_named("none"), closure, {}};
   model.constants.c_i = c_i;
   return model;
 }
 
 OrientationModel iard_rpr() {
-  OrientationModel model{RotaryDiffusion::iard, Retardation::rpr, Closure::ibof, {}};
+  OrientationModel model{rotary_diffusion_named("iard"), retardation_named("rpr"), closure_named("ibof"), {}};
   model.constants.c_i = 0.0165;
   model.constants.c_m = 0.999;
   model.constants.alpha = 0.965;
@@ -41,7 +42,7 @@ TEST(OrientationHistory, TraceStaysOneThroughAThousandUnitsOfStrain) {
 TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
   // Jeffery's motion is reversible: F after the reversal is the identity.
   OrientationModel model;
-  model.closure = Closure::exact;
+  model.closure = closure_named("exact");
   const FlowHistory history({{0, {simple_shear_gradient()}}, {2, {-simple_shear_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
@@ -51,7 +52,7 @@ TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
 
 TEST(OrientationHistory, ChangesOfFlowAreMetExactly) {
   OrientationModel model;
-  model.closure = Closure::exact;
+  model.closure = closure_named("exact");
   const FlowHistory history({{0, {simple_shear_gradient()}}, {0.7, {uniaxial_elongation_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
@@ -65,7 +66,7 @@ TEST(OrientationHistory, InterpolatedGradientsConverge) {
   // D(t) = t E: the same as E for t²/2, since E commutes with itself.
   const FlowHistory ramp({{0, {}}, {1, {planar_elongation_gradient()}}}, HistoryForm::ramps);
   OrientationModel model;
-  model.closure = Closure::exact;
+  model.closure = closure_named("exact");
   OrientationIntegrator integrator(OrientationLaw(model), ramp.in_steps(8), {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(1);
@@ -87,12 +88,13 @@ TEST(OrientationHistory, FittedClosuresEndWhereTheExactOneDoes) {
   // At C_I = 0.01 the truth is A11 = 0.7271243 (orientation_distribution_test). The closure that is exact
   // without diffusion ends 0.046 above; fits to it and to a wide range of C_I cannot but follow. The hybrid
   // one is 0.16 off.
-  const double exact = steady_a11(Closure::exact);
+  const double exact = steady_a11(closure_named("exact"));
   EXPECT_NEAR(exact, 0.7733, 1e-4);
-  for (const Closure closure : {Closure::ibof, Closure::ore, Closure::orw, Closure::orw3})
+  for (const Closure closure :
+       {closure_named("ibof"), closure_named("ore"), closure_named("orw"), closure_named("orw3")})
     EXPECT_NEAR(steady_a11(closure), exact, 0.005) << name(closure);
-  EXPECT_NEAR(steady_a11(Closure::orf), 0.7271243, 0.03);
-  EXPECT_GT(steady_a11(Closure::hybrid), 0.7271243 + 0.15);
+  EXPECT_NEAR(steady_a11(closure_named("orf")), 0.7271243, 0.03);
+  EXPECT_GT(steady_a11(closure_named("hybrid")), 0.7271243 + 0.15);
 }
 
 TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {

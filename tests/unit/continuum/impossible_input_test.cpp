@@ -248,7 +248,7 @@ TEST(ImpossibleInput, HistoriesRefuseWhatNoClockShows) {
 TEST(ImpossibleInput, SingleFormulasRefuseIt) {
   const Mat3 bad = Mat3::Constant(nan_value),
              strain = 0.5 * (simple_shear_gradient() + simple_shear_gradient().transpose());
-  const Mat6 fourth = close(Mat3::Identity() / 3, Closure::linear);
+  const Mat6 fourth = close(Mat3::Identity() / 3, closure_named("linear"));
   const std::vector<std::function<void()>> calls = {
       [&] { static_cast<void>(some_law().rate(Mat3::Identity(), simple_shear_gradient())); },
       [&] { static_cast<void>(some_law().rate(Mat3::Identity() / 3, bad)); },
