@@ -169,7 +169,7 @@ void FokkerPlanck::advance(Eigen::VectorXd& psi, const Mat3& gradient, double du
 void FokkerPlanck::follow(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
                           const IntegrationTolerance& tolerance) const {
   const Sparse flow = flow_operator(gradient);
-  const bool fixed = !row_of(model_.diffusion).depends_on_orientation;
+  const bool fixed = !description_of(model_.diffusion).depends_on_orientation;
   const Sparse constant = fixed ? Sparse(flow + diffusion_operator(diffusion_at(psi, gradient))) : flow;
   const auto slope = [&](const Eigen::VectorXd& at, Eigen::VectorXd& rate) {
     rate = constant * at;

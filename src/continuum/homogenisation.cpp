@@ -74,12 +74,12 @@ const std::vector<HomogenisationDescription>& homogenisations() {
   return all;
 }
 
-const HomogenisationDescription& row_of(Homogenisation model) {
+const HomogenisationDescription& description_of(Homogenisation model) {
   return homogenisations()[static_cast<std::size_t>(model)];
 }
 
 const char* name(Homogenisation model) {
-  return row_of(model).name;
+  return description_of(model).name;
 }
 
 Homogenisation homogenisation_named(std::string_view wanted) {
@@ -118,7 +118,7 @@ ThermoelasticProperties aligned_composite(const CompositeMaterial& material, dou
   if (!(aspect_ratio > 0) || !std::isfinite(aspect_ratio))
     throw InputError(fmt::format("an aspect ratio of {:g} is impossible", aspect_ratio), "it is positive");
   ThermoelasticProperties properties;
-  properties.stiffness = row_of(model).aligned_stiffness(material, aspect_ratio);
+  properties.stiffness = description_of(model).aligned_stiffness(material, aspect_ratio);
   properties.thermal_stress = rosen_hashin(material, properties.stiffness);
   return properties;
 }

@@ -34,7 +34,7 @@ struct HomogenisationDescription {
 
 /// All models.
 [[nodiscard]] const std::vector<HomogenisationDescription>& homogenisations();
-[[nodiscard]] const HomogenisationDescription& row_of(Homogenisation model);
+[[nodiscard]] const HomogenisationDescription& description_of(Homogenisation model);
 [[nodiscard]] const char* name(Homogenisation model);
 /// Finds a model by name; raises InputError with the nearest name.
 [[nodiscard]] Homogenisation homogenisation_named(std::string_view name);

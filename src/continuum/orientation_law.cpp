@@ -242,7 +242,7 @@ std::vector<std::string> doubts(const OrientationModel& model, const Mat3& secon
     found.push_back(
         fmt::format("the rotary diffusion tensor of {} is indefinite here (smallest principal value {:.3g}): "
                     "diffusion concentrates fibers instead of spreading them ({})",
-                    name(model.diffusion), least, row_of(model.diffusion).meaning));
+                    name(model.diffusion), least, description_of(model.diffusion).meaning));
   if (model.constants.u0 > 8 * diffusion.trace() / 3 && model.constants.u0 > 0)
     found.push_back(
         fmt::format("the potential u0 = {:g} exceeds 8 C_I = {:g}: the isotropic state at rest is unstable",

@@ -103,8 +103,8 @@ bool same_symbol(std::string_view left, std::string_view right) {
 /// The constants that a model reads.
 std::vector<std::string> constants_of(const OrientationModel& model) {
   std::vector<std::string> names = {"xi", "U0"};
-  for (const auto& one : row_of(model.diffusion).constants) names.push_back(one);
-  for (const auto& one : row_of(model.retardation).constants) names.push_back(one);
+  for (const auto& one : description_of(model.diffusion).constants) names.push_back(one);
+  for (const auto& one : description_of(model.retardation).constants) names.push_back(one);
   return names;
 }
 
@@ -166,20 +166,20 @@ const std::vector<NamedOrientationModel>& named_orientation_models() {
   return all;
 }
 
-const RotaryDiffusionRow& row_of(RotaryDiffusion diffusion) {
+const RotaryDiffusionRow& description_of(RotaryDiffusion diffusion) {
   return rotary_diffusions()[static_cast<std::size_t>(diffusion)];
 }
-const RetardationRow& row_of(Retardation retardation) {
+const RetardationRow& description_of(Retardation retardation) {
   return retardations()[static_cast<std::size_t>(retardation)];
 }
 const char* name(RotaryDiffusion diffusion) {
-  return row_of(diffusion).name.c_str();
+  return description_of(diffusion).name.c_str();
 }
 const char* name(Retardation retardation) {
-  return row_of(retardation).name.c_str();
+  return description_of(retardation).name.c_str();
 }
 bool acts_on_principal_values(Retardation retardation) {
-  return row_of(retardation).left != nullptr;
+  return description_of(retardation).left != nullptr;
 }
 
 RotaryDiffusion rotary_diffusion_named(std::string_view name) {

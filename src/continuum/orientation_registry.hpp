@@ -55,8 +55,8 @@ struct NamedOrientationModel {
 /// The combinations that have a name; every diffusion is one by itself.
 [[nodiscard]] const std::vector<NamedOrientationModel>& named_orientation_models();
 
-[[nodiscard]] const RotaryDiffusionRow& row_of(RotaryDiffusion diffusion);
-[[nodiscard]] const RetardationRow& row_of(Retardation retardation);
+[[nodiscard]] const RotaryDiffusionRow& description_of(RotaryDiffusion diffusion);
+[[nodiscard]] const RetardationRow& description_of(Retardation retardation);
 [[nodiscard]] const char* name(RotaryDiffusion diffusion);
 [[nodiscard]] const char* name(Retardation retardation);
 

@@ -129,7 +129,7 @@ std::vector<Vec5> starts(const Mat3& strain) {
 
 /// Factor by which a retardation slows down small changes of the principal values near a steady state.
 double slowness(const OrientationModel& model) {
-  return row_of(model.retardation).slowness(model.constants);
+  return description_of(model.retardation).slowness(model.constants);
 }
 
 /// Growth rate of the fastest disturbance over the shear rate, of the law with its retardation.

@@ -29,7 +29,7 @@ Mat3 PrincipalAxesSteps::euler(const Mat3& second, double step) const {
   const Vec3 values = eigenframe(second).values;
   const Eigenframe moved = eigenframe(second + step * unretarded_.unchecked_rate(second, gradient_));
   const Vec3 rates = (moved.values - values) / step;
-  const Vec3 next = values + step * row_of(model_.retardation).left(model_.constants, rates);
+  const Vec3 next = values + step * description_of(model_.retardation).left(model_.constants, rates);
   return moved.axes * next.asDiagonal() * moved.axes.transpose();
 }
 

@@ -33,8 +33,9 @@ LawMenu make_orientation_menu() {
   for (const NamedOrientationModel& model : named_orientation_models()) {
     std::vector<std::string> names = {"xi", "U0"};
     LawMenuItem item = {model.name, "", {}};
-    append_constants(row_of(model.diffusion), names, item.summary);
-    if (model.retardation != Retardation{}) append_constants(row_of(model.retardation), names, item.summary);
+    append_constants(description_of(model.diffusion), names, item.summary);
+    if (model.retardation != Retardation{})
+      append_constants(description_of(model.retardation), names, item.summary);
     for (const OrientationConstant& constant : orientation_constants())
       if (std::find(names.begin(), names.end(), constant.parameter.name) != names.end())
         item.parameters.push_back(constant.parameter);
