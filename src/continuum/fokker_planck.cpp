@@ -31,7 +31,7 @@ constexpr double converged = 1e-12;
 
 FokkerPlanck::FokkerPlanck(const OrientationModel& model, int degree) : model_(model), degree_(degree) {
   require_admissible(model);
-  if (model.retardation != Retardation::none || model.constants.u0 != 0)
+  if (model.retardation != Retardation{} || model.constants.u0 != 0)
     throw InputError("a retardation or a potential acts on A2, not on the distribution of directions",
                      "choose retardation none and u0 = 0");
   if (degree < 4 || degree > most_degree || degree % 2 != 0)
@@ -169,9 +169,7 @@ void FokkerPlanck::advance(Eigen::VectorXd& psi, const Mat3& gradient, double du
 void FokkerPlanck::follow(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
                           const IntegrationTolerance& tolerance) const {
   const Sparse flow = flow_operator(gradient);
-  const bool fixed = model_.diffusion == RotaryDiffusion::none ||
-                     model_.diffusion == RotaryDiffusion::folgar_tucker ||
-                     model_.diffusion == RotaryDiffusion::iard;
+  const bool fixed = !description_of(model_.diffusion).depends_on_orientation;
   const Sparse constant = fixed ? Sparse(flow + diffusion_operator(diffusion_at(psi, gradient))) : flow;
   const auto slope = [&](const Eigen::VectorXd& at, Eigen::VectorXd& rate) {
     rate = constant * at;

@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/entry_by_name.hpp"
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "continuum/homogenisation_laws/halpin_tsai.hpp"
+#include "continuum/homogenisation_laws/lielens.hpp"
+#include "continuum/homogenisation_laws/mori_tanaka.hpp"
 
 namespace fiberfate {
 namespace {
@@ -40,74 +42,11 @@ ShapeIntegrals shape_integrals(double r) {
   return {g, (2 - 3 * g) / u};
 }
 
-/// Halpin and Tsai's interpolation M (1 + zeta eta phi)/(1 - eta phi), eta = (F/M - 1)/(F/M + zeta).
-double interpolated(double fiber, double matrix, double zeta, double fraction) {
-  const double eta = (fiber / matrix - 1) / (fiber / matrix + zeta);
-  return matrix * (1 + zeta * eta * fraction) / (1 - eta * fraction);
-}
-
-Mat6 halpin_tsai(const CompositeMaterial& material, double r) {
-  const double fraction = material.volume_fraction;
-  const auto& [fiber_modulus, fiber_poisson] = material.fiber;
-  const auto& [matrix_modulus, nu] = material.matrix;
-  const double fiber_shear = fiber_modulus / (2 * (1 + fiber_poisson));
-  const double matrix_shear = matrix_modulus / (2 * (1 + nu));
-  EngineeringConstants c;
-  c.e1 = interpolated(fiber_modulus, matrix_modulus, 2 * r, fraction);
-  c.e2 = c.e3 = interpolated(fiber_modulus, matrix_modulus, 2, fraction);
-  c.g12 = c.g31 = interpolated(fiber_shear, matrix_shear, 1, fraction);
-  c.g23 = interpolated(fiber_shear, matrix_shear, (1 + nu) / (3 - nu - 4 * nu * nu), fraction);
-  c.nu12 = fiber_poisson * fraction + nu * (1 - fraction);
-  c.nu31 = c.nu12 * c.e3 / c.e1;
-  c.nu23 = c.e2 / (2 * c.g23) - 1;
-  return orthotropic_stiffness(c);
-}
-
-/// Strain in the inclusion over strain far away: (I + S : M⁻¹ : (F - M))⁻¹.
-Mat6 dilute_concentration(const Mat6& eshelby, const Mat6& inclusion, const Mat6& matrix) {
-  const Mat6 contrast = composed(inverse(matrix), inclusion - matrix);
-  return inverse(symmetric_identity() + composed(eshelby, contrast));
-}
-
-/// Mean stress over mean strain when the strain in the fibers is `concentration` times that in the matrix.
-Mat6 averaged_stiffness(const CompositeMaterial& material, const Mat6& concentration) {
-  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
-  const double fraction = material.volume_fraction;
-  const Mat6 stress = (1 - fraction) * matrix + fraction * composed(fiber, concentration);
-  return composed(stress, inverse((1 - fraction) * symmetric_identity() + fraction * concentration));
-}
-
-/// Every fiber in the strain of the matrix: the lower bound where fibers are stiffer.
-Mat6 lower_concentration(const CompositeMaterial& material, double r) {
-  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
-  return dilute_concentration(eshelby_tensor(r, material.matrix.poisson), fiber, matrix);
-}
-
-Mat6 mori_tanaka(const CompositeMaterial& material, double r) {
-  return averaged_stiffness(material, lower_concentration(material, r));
-}
-
-/// The upper bound has the phases exchanged; Lielens' weight interpolates the inverses.
-Mat6 lielens(const CompositeMaterial& material, double r) {
-  const Mat6 fiber = isotropic_stiffness(material.fiber), matrix = isotropic_stiffness(material.matrix);
-  const Mat6 upper = dilute_concentration(eshelby_tensor(r, material.fiber.poisson), matrix, fiber);
-  const double weight = 0.5 * material.volume_fraction * (1 + material.volume_fraction);
-  return averaged_stiffness(
-      material, inverse((1 - weight) * inverse(lower_concentration(material, r)) + weight * upper));
-}
-
-constexpr HomogenisationDescription descriptions[] = {
-    {Homogenisation::halpin_tsai, "halpin_tsai",
-     "Semi-empirical interpolation; may give a material without energy (stores_energy).",
-     "Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976)", halpin_tsai},
-    {Homogenisation::mori_tanaka, "mori_tanaka", "Mean field with Eshelby's tensor.",
-     "Benveniste, Mech. Mater. 6, 147 (1987)", mori_tanaka},
-    {Homogenisation::lielens, "lielens",
-     "Between the two Hashin-Shtrikman-Willis bounds; stiffer at high fractions.",
-     "Lielens et al., Composites A 29, 63 (1998)", lielens}};
-
-const HomogenisationDescription& description(Homogenisation model) {
-  return *std::ranges::find(descriptions, model, &HomogenisationDescription::model);
+template <class... Laws>
+std::vector<HomogenisationDescription> descriptions_of() {
+  int number = 0;
+  return {
+      {Homogenisation{number++}, Laws::text.name, Laws::text.meaning, Laws::text.source, Laws::stiffness}...};
 }
 
 Mat3 rosen_hashin(const CompositeMaterial& material, const Mat6& stiffness) {
@@ -127,16 +66,24 @@ Mat3 rosen_hashin(const CompositeMaterial& material, const Mat6& stiffness) {
 
 }  // namespace
 
-std::span<const HomogenisationDescription> homogenisations() {
-  return descriptions;
+const std::vector<HomogenisationDescription>& homogenisations() {
+  static const std::vector<HomogenisationDescription> all = descriptions_of<  //
+      MoriTanaka,                                                             //
+      HalpinTsai,                                                             //
+      Lielens>();
+  return all;
+}
+
+const HomogenisationDescription& description_of(Homogenisation model) {
+  return homogenisations()[static_cast<std::size_t>(model)];
 }
 
 const char* name(Homogenisation model) {
-  return description(model).name;
+  return description_of(model).name;
 }
 
 Homogenisation homogenisation_named(std::string_view wanted) {
-  return entry_named(descriptions, "stiffness model", wanted).model;
+  return entry_named(homogenisations(), "stiffness model", wanted).model;
 }
 
 Mat3 thermal_expansion(const ThermoelasticProperties& properties) {
@@ -171,7 +118,7 @@ ThermoelasticProperties aligned_composite(const CompositeMaterial& material, dou
   if (!(aspect_ratio > 0) || !std::isfinite(aspect_ratio))
     throw InputError(fmt::format("an aspect ratio of {:g} is impossible", aspect_ratio), "it is positive");
   ThermoelasticProperties properties;
-  properties.stiffness = description(model).aligned_stiffness(material, aspect_ratio);
+  properties.stiffness = description_of(model).aligned_stiffness(material, aspect_ratio);
   properties.thermal_stress = rosen_hashin(material, properties.stiffness);
   return properties;
 }

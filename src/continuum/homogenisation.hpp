@@ -3,13 +3,14 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "continuum/stiffness.hpp"
 
 namespace fiberfate {
 
-/// The models of aligned fibers.
-enum class Homogenisation { halpin_tsai, mori_tanaka, lielens };
+/// A model of aligned fibers: a place in homogenisations(), the first where nobody chooses.
+enum class Homogenisation : int {};
 
 /// Describes fiber and matrix.
 struct CompositeMaterial {
@@ -20,7 +21,8 @@ struct CompositeMaterial {
   double volume_fraction = 0;   ///< of fibers, 0 to 1
 };
 
-/// Describes one model. To add one: its enumerator, its function, a row in homogenisation.cpp, a test.
+/// Describes one model. To add one: its file in homogenisation_laws, a row in homogenisation.cpp, a test
+/// (docs/develop/adding_a_point_law.md).
 struct HomogenisationDescription {
   Homogenisation model;
   const char* name;     ///< as in case files, "mori_tanaka"
@@ -31,7 +33,8 @@ struct HomogenisationDescription {
 };
 
 /// All models.
-[[nodiscard]] std::span<const HomogenisationDescription> homogenisations();
+[[nodiscard]] const std::vector<HomogenisationDescription>& homogenisations();
+[[nodiscard]] const HomogenisationDescription& description_of(Homogenisation model);
 [[nodiscard]] const char* name(Homogenisation model);
 /// Finds a model by name; raises InputError with the nearest name.
 [[nodiscard]] Homogenisation homogenisation_named(std::string_view name);

@@ -14,10 +14,10 @@ void follow_lengths(const AttritionLaw& law, const LengthStart& start, const Len
   double now = 0;
   for (const double time : times) {
     require_number("times", time, {.lower = now});
-    for (const LengthHistoryPart& part : conditions.history.parts(now, time))
-      evolution->advance(flow_at(part.melt), part.duration);
+    for (const FlowPart& part : conditions.history.parts(now, time))
+      evolution->advance(flow_at(melt_of(part.flow)), part.duration);
     now = time;
-    const MeltState melt = conditions.history.at(time);
+    const MeltState melt = melt_of(conditions.history.at(time));
     const LengthFlow flow = flow_at(melt);
     visit({time, melt, flow.viscosity, law.unbreakable_length(flow), *evolution});
   }

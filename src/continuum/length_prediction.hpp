@@ -5,14 +5,14 @@
 #include <span>
 
 #include "continuum/attrition_law.hpp"
-#include "continuum/length_history.hpp"
 #include "continuum/viscosity.hpp"
+#include "microstructure/flow_history.hpp"
 
 namespace fiberfate {
 
 /// Where fibers break: the flow over time, the melt, and how orientation shields the fibers.
 struct LengthConditions {
-  const LengthHistory& history;
+  const FlowHistory& history;  ///< its viscosity is not asked for
   const ViscosityLaw& viscosity;
   double compression = 1;  ///< -2 D:A/rate; only Phelps uses it (LengthFlow)
 };
@@ -27,7 +27,7 @@ struct LengthSample {
 };
 
 /// Follows a population and visits each of `times` (s, not falling, from 0 on). Parts of constant flow are
-/// exact; ramps are cut as LengthHistory::parts says. Raises InputError as AttritionLaw::start does.
+/// exact; ramps are cut as FlowHistory::parts says. Raises InputError as AttritionLaw::start does.
 void follow_lengths(const AttritionLaw& law, const LengthStart& start, const LengthConditions& conditions,
                     std::span<const double> times, const std::function<void(const LengthSample&)>& visit);
 

@@ -1,6 +1,8 @@
 // What the viscosity of a melt depends on.
 #pragma once
 
+#include "microstructure/flow.hpp"
+
 namespace fiberfate {
 
 struct MeltState {
@@ -8,5 +10,10 @@ struct MeltState {
   double temperature = 0;  ///< K; only Cross-WLF uses it
   double pressure = 0;     ///< Pa; only Cross-WLF uses it
 };
+
+/// Tells what laws of viscosity ask about a flow.
+[[nodiscard]] inline MeltState melt_of(const Flow& flow) {
+  return {flow.shear_rate(), flow.temperature, flow.pressure};
+}
 
 }  // namespace fiberfate

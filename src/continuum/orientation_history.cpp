@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "continuum/orientation_registry.hpp"
 #include "continuum/principal_axes_steps.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/eigenframe.hpp"
@@ -33,76 +33,10 @@ constexpr std::int64_t most_explicit_steps = 2000;
 
 }  // namespace
 
-GradientHistory::GradientHistory(std::vector<GradientInterval> intervals) : intervals_(std::move(intervals)) {
-  if (intervals_.empty())
-    throw InputError("the flow history is empty", "give at least one velocity gradient");
-  double before = 0;
-  for (const GradientInterval& one : intervals_) {
-    if (!one.gradient.allFinite())
-      throw InputError("a velocity gradient is not finite", "give nine finite numbers");
-    if (!(one.end_time > before))
-      throw InputError(fmt::format("the flow history goes from {:g} s to {:g} s", before, one.end_time),
-                       "times rise from 0");
-    before = one.end_time;
-  }
-}
-
-GradientHistory GradientHistory::constant(const Mat3& gradient) {
-  return GradientHistory({{std::numeric_limits<double>::infinity(), gradient}});
-}
-
-GradientHistory GradientHistory::interpolated(const std::vector<double>& times,
-                                              const std::vector<Mat3>& gradients, int pieces) {
-  if (times.empty() || times.size() != gradients.size() || pieces < 1)
-    throw InputError("the table of velocity gradients is empty", "give a time and a gradient in each row");
-  std::vector<GradientInterval> intervals;
-  if (times.front() > 0) intervals.push_back({times.front(), gradients.front()});
-  for (std::size_t row = 0; row + 1 < times.size(); ++row) {
-    for (int piece = 0; piece < pieces; ++piece) {
-      const double middle = (piece + 0.5) / pieces, end = (piece + 1.0) / pieces;
-      intervals.push_back({times[row] + end * (times[row + 1] - times[row]),
-                           gradients[row] + middle * (gradients[row + 1] - gradients[row])});
-    }
-  }
-  intervals.push_back({std::numeric_limits<double>::infinity(), gradients.back()});
-  return GradientHistory(std::move(intervals));
-}
-
-std::size_t GradientHistory::interval_at(double time) const {
-  const auto found = std::ranges::upper_bound(intervals_, time, {}, &GradientInterval::end_time);
-  return std::min(static_cast<std::size_t>(found - intervals_.begin()), intervals_.size() - 1);
-}
-
-const Mat3& GradientHistory::at(double time) const {
-  return intervals_[interval_at(time)].gradient;
-}
-
-double GradientHistory::next_change(double time) const {
-  const std::size_t here = interval_at(time);
-  return here + 1 < intervals_.size() ? intervals_[here].end_time : std::numeric_limits<double>::infinity();
-}
-
-Mat3 simple_shear_gradient() {
-  Mat3 gradient = Mat3::Zero();
-  gradient(0, 2) = 1;
-  return gradient;
-}
-
-Mat3 planar_elongation_gradient() {
-  return Vec3(0.5, 0, -0.5).asDiagonal();
-}
-
-Mat3 uniaxial_elongation_gradient() {
-  return (Vec3(2, -1, -1) / (2 * std::sqrt(3.0))).asDiagonal();
-}
-
-Mat3 biaxial_elongation_gradient() {
-  return -uniaxial_elongation_gradient();
-}
-
-OrientationIntegrator::OrientationIntegrator(OrientationLaw law, GradientHistory history,
+OrientationIntegrator::OrientationIntegrator(OrientationLaw law, FlowHistory history,
                                              const OrientationState& start, IntegrationTolerance tolerance)
     : law_(std::move(law)), history_(std::move(history)), state_(start), tolerance_(tolerance) {
+  require_steps(history_);
   require_number("tolerance.absolute", tolerance.absolute, not_negative);
   require_number("tolerance.relative", tolerance.relative, not_negative);
   require_number("tolerance", tolerance.absolute + tolerance.relative, positive);
@@ -118,7 +52,7 @@ void OrientationIntegrator::advance_to(double time) {
   require_number("time", time, {.lower = state_.time});
   while (state_.time < time) {
     const double end = std::min(time, history_.next_change(state_.time));
-    const Mat3& gradient = history_.at(state_.time);
+    const Mat3 gradient = history_.at(state_.time).gradient;
     if (!advance_over(gradient, end - state_.time))
       throw SimulationFailure(
           fmt::format("the orientation cannot be integrated beyond {:g} s within the tolerance", state_.time),

@@ -7,44 +7,9 @@
 #include "base/vector.hpp"
 #include "continuum/orientation_law.hpp"
 #include "continuum/runge_kutta.hpp"
+#include "microstructure/flow_history.hpp"
 
 namespace fiberfate {
-
-/// A velocity gradient that acts until `end_time`.
-struct GradientInterval {
-  double end_time = 0;           ///< s
-  Mat3 gradient = Mat3::Zero();  ///< L_ij = d v_i / d x_j, 1/s
-};
-
-/// A velocity gradient that is constant in each of consecutive intervals; the last lasts for ever.
-class GradientHistory {
- public:
-  /// Takes intervals of strictly rising end times; raises InputError for none, for times that do not rise
-  /// from 0, or for numbers that are not finite (the last end may be infinite).
-  explicit GradientHistory(std::vector<GradientInterval> intervals);
-  /// Makes a constant flow.
-  static GradientHistory constant(const Mat3& gradient);
-  /// Makes a history that runs linearly from row to row of a table (times rising from 0; constant after the
-  /// last), each stretch cut in `pieces` intervals that take the gradient of their middle: the deviation of
-  /// A2 falls with pieces squared.
-  static GradientHistory interpolated(const std::vector<double>& times, const std::vector<Mat3>& gradients,
-                                      int pieces);
-
-  /// The gradient on [time, next_change(time)).
-  [[nodiscard]] const Mat3& at(double time) const;
-  /// The first time after `time` at which the gradient changes; infinity when it never does.
-  [[nodiscard]] double next_change(double time) const;
-
- private:
-  [[nodiscard]] std::size_t interval_at(double time) const;
-  std::vector<GradientInterval> intervals_;
-};
-
-/// Frequent gradients of unit rate sqrt(2 D:D) = 1 1/s; multiply by the rate.
-[[nodiscard]] Mat3 simple_shear_gradient();         ///< v_1 = x_3
-[[nodiscard]] Mat3 planar_elongation_gradient();    ///< diag(1, 0, -1)/2
-[[nodiscard]] Mat3 uniaxial_elongation_gradient();  ///< diag(2, -1, -1)/(2 sqrt 3)
-[[nodiscard]] Mat3 biaxial_elongation_gradient();   ///< the opposite
 
 /// One state of the history.
 struct OrientationState {
@@ -58,8 +23,9 @@ struct OrientationState {
 /// closure has left with a negative principal value is returned to the nearest admissible one and counted.
 class OrientationIntegrator {
  public:
-  /// Raises InputError unless the start is admissible to 1e-6 and the tolerance positive.
-  OrientationIntegrator(OrientationLaw law, GradientHistory history, const OrientationState& start,
+  /// Raises InputError unless the history is one of steps, the start admissible to 1e-6 and the tolerance
+  /// positive.
+  OrientationIntegrator(OrientationLaw law, FlowHistory history, const OrientationState& start,
                         IntegrationTolerance tolerance = {});
 
   /// Advances to a time not before the present one (InputError otherwise). Raises SimulationFailure when the
@@ -78,7 +44,7 @@ class OrientationIntegrator {
   [[nodiscard]] bool advance_axes(const Mat3& gradient, double duration);
 
   OrientationLaw law_;
-  GradientHistory history_;
+  FlowHistory history_;
   OrientationState state_;
   IntegrationTolerance tolerance_;
   IntegrationRecord record_;

@@ -9,6 +9,9 @@ namespace fiberfate {
 /// Writes DA/Dt of every point to `result`.
 FIBERFATE_DECLARE_KERNEL(void evaluate_orientation(const OrientationModel& model,
                                                    const OrientationPoints& points))
+/// Writes the rotary diffusion tensor C, without the rate, of every point to `result`.
+FIBERFATE_DECLARE_KERNEL(void evaluate_rotary_diffusion(const OrientationModel& model,
+                                                        const OrientationPoints& points))
 /// The first point whose state or velocity gradient no law takes: not finite, or further than
 /// `forgiven` from a state of unit trace without negative principal value; as many as there are when there is
 /// none.

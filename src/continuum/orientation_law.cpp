@@ -147,23 +147,29 @@ std::size_t advance_part(const OrientationModel& model, const OrientationPoints&
   return done;
 }
 
-Mat3 along_axes(const Mat3& second, const Mat3& strain, Vec3 constants) {
-  const Eigenframe frame = eigenframe(second, strain);
-  const Mat3 inside = frame.axes.transpose() * strain * frame.axes;
-  const double rate = std::sqrt(2 * double_dot(strain, strain));
-  const auto aimless = [&](int i) {
-    return frame.values[i] - frame.values[i + 1] < equal_principal_values &&
-           inside(i, i) - inside(i + 1, i + 1) < equal_principal_values * rate;
-  };
-  if (aimless(0) && aimless(1)) {
-    constants.setConstant(constants.mean());
-  } else if (aimless(0)) {
-    constants.head<2>().setConstant(constants.head<2>().mean());
-  } else if (aimless(1)) {
-    constants.tail<2>().setConstant(constants.tail<2>().mean());
+/// A point by itself, whose kernel writes to `result`.
+class SinglePoint {
+ public:
+  SinglePoint(const Mat3& second, const Mat3& gradient) : second_(to_components(second)) {
+    for (int m = 0; m < 9; ++m) gradient_[m] = gradient(m / 3, m % 3);
+    points_.count = 1;
+    for (int m = 0; m < 6; ++m) {
+      points_.second[m] = &second_[m];
+      points_.result[m] = &result_[m];
+    }
+    for (int m = 0; m < 9; ++m) points_.gradient[m] = &gradient_[m];
   }
-  return frame.axes * constants.asDiagonal() * frame.axes.transpose();
-}
+  SinglePoint(const SinglePoint&) = delete;
+  SinglePoint& operator=(const SinglePoint&) = delete;
+
+  [[nodiscard]] const OrientationPoints& points() const { return points_; }
+  [[nodiscard]] Mat3 result() const { return to_matrix(result_); }
+
+ private:
+  Vec6 second_, result_;
+  Eigen::Matrix<double, 9, 1> gradient_;
+  OrientationPoints points_;
+};
 
 }  // namespace
 
@@ -178,19 +184,9 @@ Mat3 OrientationLaw::rate(const Mat3& second, const Mat3& gradient) const {
 }
 
 Mat3 OrientationLaw::unchecked_rate(const Mat3& second, const Mat3& gradient) const {
-  const Vec6 a = to_components(second);
-  Eigen::Matrix<double, 9, 1> l;
-  for (int k = 0; k < 9; ++k) l[k] = gradient(k / 3, k % 3);
-  Vec6 result;
-  OrientationPoints point;
-  point.count = 1;
-  for (int m = 0; m < 6; ++m) {
-    point.second[m] = &a[m];
-    point.result[m] = &result[m];
-  }
-  for (int m = 0; m < 9; ++m) point.gradient[m] = &l[m];
-  evaluate_on_this_thread(model_, point);
-  return to_matrix(result);
+  const SinglePoint point(second, gradient);
+  evaluate_on_this_thread(model_, point.points());
+  return point.result();
 }
 
 void OrientationLaw::evaluate(const OrientationPoints& points) const {
@@ -233,31 +229,9 @@ OrientationAdvance OrientationLaw::advance(const OrientationPoints& points,
 Mat3 rotary_diffusion(const OrientationModel& model, const Mat3& second, const Mat3& gradient) {
   require_forgivable(second);
   require_numbers("gradient", gradient.reshaped(), any_finite);
-  const OrientationConstants& c = model.constants;
-  const Mat3 identity = Mat3::Identity();
-  const Mat3 strain = 0.5 * (gradient + gradient.transpose());
-  const double rate = std::sqrt(2 * double_dot(strain, strain));
-  const Mat3 n = rate > 0 ? Mat3(strain / rate) : Mat3::Zero();
-  switch (model.diffusion) {
-    case RotaryDiffusion::folgar_tucker:
-      return c.c_i * identity;
-    case RotaryDiffusion::ard:
-      return c.b1 * identity + c.b2 * second + c.b3 * second * second + c.b4 * n + c.b5 * n * n;
-    case RotaryDiffusion::iard: {
-      const Mat3 n2 = n * n;
-      const double size = std::sqrt(0.5 * double_dot(n2, n2));
-      return c.c_i * (size > 0 ? Mat3(identity - c.c_m / size * n2) : identity);
-    }
-    case RotaryDiffusion::pard:
-      return c.c_i * along_axes(second, strain, {1, c.omega, 1 - c.omega});
-    case RotaryDiffusion::mrd:
-      return c.c_i * along_axes(second, strain, {c.d1, c.d2, c.d3});
-    case RotaryDiffusion::wpt:
-      return c.b1 * identity + c.b3 * second * second;
-    case RotaryDiffusion::none:
-      break;
-  }
-  return Mat3::Zero();
+  const SinglePoint point(second, gradient);
+  FIBERFATE_KERNEL(evaluate_rotary_diffusion)(model, point.points());
+  return point.result();
 }
 
 std::vector<std::string> doubts(const OrientationModel& model, const Mat3& second, const Mat3& gradient) {
@@ -265,11 +239,10 @@ std::vector<std::string> doubts(const OrientationModel& model, const Mat3& secon
   const Mat3 diffusion = rotary_diffusion(model, second, gradient);
   const double least = eigenframe(diffusion).values[2];
   if (least < -1e-12 * diffusion.cwiseAbs().maxCoeff())
-    found.push_back(fmt::format(
-        "the rotary diffusion tensor of {} is indefinite here (smallest principal value {:.3g}): "
-        "diffusion concentrates fibers instead of spreading them{}",
-        name(model.diffusion), least,
-        model.diffusion == RotaryDiffusion::iard ? "; in uniaxial flow this happens for C_M > 3/4" : ""));
+    found.push_back(
+        fmt::format("the rotary diffusion tensor of {} is indefinite here (smallest principal value {:.3g}): "
+                    "diffusion concentrates fibers instead of spreading them ({})",
+                    name(model.diffusion), least, description_of(model.diffusion).meaning));
   if (model.constants.u0 > 8 * diffusion.trace() / 3 && model.constants.u0 > 0)
     found.push_back(
         fmt::format("the potential u0 = {:g} exceeds 8 C_I = {:g}: the isotropic state at rest is unstable",

@@ -20,7 +20,7 @@ namespace fiberfate {
 /// is further from that than forgiven_departure, or not finite, raises InputError that names the point. At D
 /// = 0 only W acts. The rate is traceless to round-off. At equal principal values of A the retardation acts
 /// in the axes of the rate itself (those of D for an isotropic state); pard and mrd take the axes of D there,
-/// and the mean of their constants where D has no axes either. Sources: orientation_registry.cpp. Neglected:
+/// and the mean of their constants where D has no axes either. Sources: orientation_laws. Neglected:
 /// Brownian motion, inertia, flexibility, variation of L over a fiber.
 class OrientationLaw {
  public:

@@ -1,6 +1,7 @@
 // Evaluates DA/Dt at eight points side by side; only kernels include it.
 #pragma once
 
+#include "continuum/orientation_laws/orientation_laws.hpp"
 #include "continuum/orientation_model.hpp"
 #include "microstructure/closure_pack.hpp"
 
@@ -29,11 +30,13 @@ FIBERFATE_INLINE LocalFlow split_gradient(const Pack (&l)[9]) {
   return {d, w, rate, inverse};
 }
 
-FIBERFATE_INLINE bool needs_frame(const OrientationModel& model) {
-  return needs_frame(model.closure) || model.diffusion == RotaryDiffusion::pard ||
-         model.diffusion == RotaryDiffusion::mrd || model.retardation == Retardation::rsc ||
-         model.retardation == Retardation::rpr;
-}
+/// Where a rotary diffusion is evaluated.
+struct Place {
+  const LocalFlow& flow;
+  const Symmetric& second;
+  const Frame& frame;     ///< principal axes of A, where a law of the model reads them
+  Symmetric unit_strain;  ///< D/rate, of order one however slow the flow
+};
 
 /// rate R diag(d1, d2, d3) Rᵀ. At equal principal values of A the axes are those of D; where D has none
 /// either, the mean of the constants keeps the answer independent of the frame of computation.
@@ -53,57 +56,77 @@ FIBERFATE_OUT_OF_LINE Symmetric along_axes(const Frame& frame, const LocalFlow& 
   return flow.rate * out_of_frame(axes, {c1, c2, c3, zero, zero, zero});
 }
 
-FIBERFATE_INLINE LocalDiffusion local_diffusion(const OrientationModel& model, const LocalFlow& flow,
-                                                const Symmetric& a, const Frame& frame) {
-  const OrientationConstants& c = model.constants;
-  const Symmetric nothing = isotropic(broadcast(0));
-  const Symmetric n = flow.inverse_rate * flow.strain;  // D/rate, of order one however slow the flow
-  switch (model.diffusion) {
-    case RotaryDiffusion::folgar_tucker:
-      return {c.c_i * flow.rate, nothing};
-    case RotaryDiffusion::ard:
-      return {c.b1 * flow.rate, flow.rate * (c.b2 * a + c.b3 * square(a) + c.b4 * n + c.b5 * square(n))};
-    case RotaryDiffusion::iard: {
-      const Symmetric n2 = square(n);
-      const Pack size = square_root(0.5 * double_dot(n2, n2));
-      const Pack factor =
-          size > 0.0 ? (c.c_i * c.c_m) * flow.rate / (size > 0.0 ? size : broadcast(1)) : broadcast(0);
-      return {c.c_i * flow.rate, -factor * n2};
-    }
-    case RotaryDiffusion::pard:
-      return {broadcast(0), c.c_i * along_axes(frame, flow, 1, c.omega, 1 - c.omega)};
-    case RotaryDiffusion::mrd:
-      return {broadcast(0), c.c_i * along_axes(frame, flow, c.d1, c.d2, c.d3)};
-    case RotaryDiffusion::wpt:
-      return {c.b1 * flow.rate, (c.b3 * flow.rate) * square(a)};
-    default:
-      return {broadcast(0), nothing};
-  }
-}
+/// The arithmetic that kernels offer to orientation laws.
+struct OrientationMath : ClosureMath {
+  using Diffusion = LocalDiffusion;
+  using Place = FIBERFATE_ISA::Place;
 
-/// R diag(alpha (r_i - beta (r_i² + 2 r_j r_k))) Rᵀ, what the retardation takes from the rate.
-FIBERFATE_INLINE Symmetric retarded_part(const Symmetric& rate, const Frame& frame, double alpha,
-                                         double beta) {
+  [[gnu::always_inline]] static Symmetric along_axes(const Place& at, double d1, double d2, double d3) {
+    return FIBERFATE_ISA::along_axes(at.frame, at.flow, d1, d2, d3);
+  }
+};
+
+/// Takes what a law takes from the rates of the principal values, R diag(taken) Rᵀ, from the rate.
+template <class Law>
+FIBERFATE_INLINE Symmetric retarded_in_axes(const OrientationConstants& c, const Symmetric& rate,
+                                            const Frame& frame) {
   Pack r[3];
   const Frame axes = guided_frame(frame, rate, r);
   const Pack zero = broadcast(0);
-  return out_of_frame(axes, {alpha * (r[0] - beta * (r[0] * r[0] + 2.0 * r[1] * r[2])),
-                             alpha * (r[1] - beta * (r[1] * r[1] + 2.0 * r[2] * r[0])),
-                             alpha * (r[2] - beta * (r[2] * r[2] + 2.0 * r[0] * r[1])), zero, zero, zero});
+  return rate - out_of_frame(axes, {Law::taken(c, r[0], r[1], r[2]), Law::taken(c, r[1], r[2], r[0]),
+                                    Law::taken(c, r[2], r[0], r[1]), zero, zero, zero});
+}
+
+template <class Law>
+inline constexpr bool reads_axes = requires {
+  Law::reads_axes;
+}
+|| requires {
+  &Law::left;
+};
+
+/// The laws of a list, by number.
+template <class List>
+struct LawsOf;
+template <template <class> class... Laws>
+struct LawsOf<OrientationLawList<Laws...>> {
+  static constexpr bool read_axes[] = {reads_axes<Laws<OrientationMath>>...};
+
+  /// Returns visit(law), which has the type Result, of the law with this number.
+  template <class Result, class Visit>
+  [[gnu::always_inline]] static Result visit(int wanted, const Visit& visit) {
+    Result result;
+    int number = 0;
+    static_cast<void>(
+        ((wanted == number++ ? (result = visit(Laws<OrientationMath>{}), true) : false) || ...));
+    return result;
+  }
+};
+
+FIBERFATE_INLINE bool needs_frame(const OrientationModel& model) {
+  return needs_frame(model.closure) ||
+         LawsOf<RotaryDiffusions>::read_axes[static_cast<int>(model.diffusion)] ||
+         LawsOf<Retardations>::read_axes[static_cast<int>(model.retardation)];
+}
+
+FIBERFATE_INLINE LocalDiffusion local_diffusion(const OrientationModel& model, const LocalFlow& flow,
+                                                const Symmetric& a, const Frame& frame) {
+  const Place at = {flow, a, frame, flow.inverse_rate * flow.strain};
+  return LawsOf<RotaryDiffusions>::visit<LocalDiffusion>(
+      static_cast<int>(model.diffusion), [&](auto law) __attribute__((always_inline)) {
+        return decltype(law)::diffusion(model.constants, at);
+      });
 }
 
 FIBERFATE_INLINE Symmetric retard(const OrientationModel& model, const Symmetric& rate, const Frame& frame) {
-  const OrientationConstants& c = model.constants;
-  switch (model.retardation) {
-    case Retardation::rsc:
-      return rate - retarded_part(rate, frame, 1 - c.kappa, 0);
-    case Retardation::rpr:
-      return rate - retarded_part(rate, frame, c.alpha, c.beta);
-    case Retardation::srf:
-      return c.srf * rate;
-    default:
-      return rate;
-  }
+  return LawsOf<Retardations>::visit<Symmetric>(
+      static_cast<int>(model.retardation), [&](auto law) __attribute__((always_inline)) {
+        using Law = decltype(law);
+        if constexpr (reads_axes<Law>)
+          return retarded_in_axes<Law>(model.constants, rate, frame);
+        else
+          return Law::retarded(model.constants, rate);
+      });
 }
 
 /// DA/Dt = W·A - A·W + xi (D·A + A·D - 2 A4:D) + rate [2 C - 2 tr C A - 5 (C·A + A·C) + 10 A4:C]
@@ -123,6 +146,18 @@ FIBERFATE_OUT_OF_LINE Symmetric orientation_rate(const OrientationModel& model, 
   rate = retard(model, rate, frame);
   const Pack drift = trace(rate) / 3.0;  // zero but for round-off
   return rate - isotropic(drift);
+}
+
+/// The rotary diffusion tensor C, without the rate: that of the flow scaled to a rate of one.
+FIBERFATE_OUT_OF_LINE Symmetric rotary_diffusion_of(const OrientationModel& model, const Symmetric& a,
+                                                    const Pack (&l)[9]) {
+  LocalFlow flow = split_gradient(l);
+  Frame frame{};
+  if (needs_frame(model)) frame = find_frame(a);
+  flow.strain = flow.inverse_rate * flow.strain;
+  flow.rate = flow.inverse_rate = broadcast(1);
+  const LocalDiffusion c = local_diffusion(model, flow, a, frame);
+  return isotropic(c.isotropic) + c.rest;
 }
 
 }  // namespace fiberfate::FIBERFATE_ISA

@@ -142,6 +142,14 @@ void evaluate_orientation(const OrientationModel& model, const OrientationPoints
   }
 }
 
+void evaluate_rotary_diffusion(const OrientationModel& model, const OrientationPoints& points) {
+  for (std::size_t first = 0; first < points.count; first += lanes) {
+    const int filled = points.count - first < lanes ? static_cast<int>(points.count - first) : lanes;
+    const Eight eight = read(points, first, filled);
+    write(points, first, filled, rotary_diffusion_of(model, eight.second, eight.gradient));
+  }
+}
+
 std::size_t find_orientation_fault(const OrientationPoints& points, double forgiven) {
   for (std::size_t first = 0; first < points.count; first += lanes) {
     const int filled = points.count - first < lanes ? static_cast<int>(points.count - first) : lanes;

@@ -10,6 +10,7 @@
 
 #include "base/entry_by_name.hpp"
 #include "base/error.hpp"
+#include "continuum/orientation_laws/orientation_laws.hpp"
 #include "microstructure/closure.hpp"
 
 namespace fiberfate {
@@ -18,10 +19,74 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 using Constants = OrientationConstants;
 
+/// What the lists need to know where nothing is computed.
+struct NoMath {
+  struct Number;
+  struct Symmetric;
+  struct Diffusion;
+  struct Place;
+};
+
 template <class Choice>
-const OrientationChoice<Choice>& description(const std::vector<OrientationChoice<Choice>>& all,
-                                             Choice choice) {
-  return *std::ranges::find(all, choice, &OrientationChoice<Choice>::choice);
+OrientationChoice<Choice> choice_of(const LawText& text, int number) {
+  OrientationChoice<Choice> choice{Choice{number}, text.name, text.meaning, text.source, {}};
+  for (const char* constant : text.constants)
+    if (constant != nullptr) choice.constants.emplace_back(constant);
+  return choice;
+}
+
+template <class Law>
+RotaryDiffusionRow diffusion_row(int number) {
+  return {choice_of<RotaryDiffusion>(Law::text, number), Law::depends_on_orientation};
+}
+
+/// What a retardation leaves of the rates of the principal values.
+template <class Law>
+Vec3 left_of(const OrientationConstants& constants, const Vec3& r) {
+  Vec3 left;
+  for (int i = 0; i < 3; ++i) left[i] = Law::left(constants, r[i], r[(i + 1) % 3], r[(i + 2) % 3]);
+  if constexpr (requires { Law::shifts_the_trace; }) left.array() -= left.mean();
+  return left;
+}
+
+template <class Law>
+RetardationRow retardation_row(int number) {
+  RetardationRow row{choice_of<Retardation>(Law::text, number), Law::slowness, nullptr};
+  if constexpr (requires { &Law::left; }) row.left = left_of<Law>;
+  return row;
+}
+
+template <template <class> class... Laws>
+std::vector<RotaryDiffusionRow> diffusion_rows(OrientationLawList<Laws...>) {
+  int number = 0;
+  return {diffusion_row<Laws<NoMath>>(number++)...};
+}
+
+template <template <class> class... Laws>
+std::vector<RetardationRow> retardation_rows(OrientationLawList<Laws...>) {
+  int number = 0;
+  return {retardation_row<Laws<NoMath>>(number++)...};
+}
+
+std::vector<NamedOrientationModel> named_models() {
+  std::vector<NamedOrientationModel> all;
+  const auto add = [&](const char* name, const char* diffusion, const char* retardation) {
+    all.push_back({name, rotary_diffusion_named(diffusion), retardation_named(retardation)});
+  };
+  add("jeffery", "jeffery", "none");
+  add("folgar_tucker", "folgar_tucker", "none");
+  add("rsc", "folgar_tucker", "rsc");
+  add("srf", "folgar_tucker", "srf");
+  add("ard", "ard", "none");
+  add("ard_rsc", "ard", "rsc");
+  add("iard", "iard", "none");
+  add("iard_rpr", "iard", "rpr");
+  add("pard", "pard", "none");
+  add("pard_rpr", "pard", "rpr");
+  for (const RotaryDiffusionRow& one : rotary_diffusions())
+    if (std::ranges::find(all, one.name, &NamedOrientationModel::name) == all.end())
+      all.push_back({one.name, one.choice, {}});
+  return all;
 }
 
 /// Symbols are the same whatever their capitals and underscores: C_I, c_i and CI.
@@ -38,8 +103,8 @@ bool same_symbol(std::string_view left, std::string_view right) {
 /// The constants that a model reads.
 std::vector<std::string> constants_of(const OrientationModel& model) {
   std::vector<std::string> names = {"xi", "U0"};
-  for (const auto& one : description(rotary_diffusions(), model.diffusion).constants) names.push_back(one);
-  for (const auto& one : description(retardations(), model.retardation).constants) names.push_back(one);
+  for (const auto& one : description_of(model.diffusion).constants) names.push_back(one);
+  for (const auto& one : description_of(model.retardation).constants) names.push_back(one);
   return names;
 }
 
@@ -86,86 +151,35 @@ const std::vector<OrientationConstant>& orientation_constants() {
   return all;
 }
 
-const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions() {
-  static const std::vector<OrientationChoice<RotaryDiffusion>> all = {
-      {RotaryDiffusion::none, "jeffery", "No diffusion.", "Jeffery, Proc. R. Soc. A 102, 161 (1922)", {}},
-      {RotaryDiffusion::folgar_tucker,
-       "folgar_tucker",
-       "C = C_I I.",
-       "Folgar, Tucker, J. Reinf. Plast. Compos. 3, 98 (1984)",
-       {"C_I"}},
-      {RotaryDiffusion::ard,
-       "ard",
-       "C = b1 I + b2 A + b3 A² + b4 D/rate + b5 D²/rate².",
-       "Phelps, Tucker, J. Non-Newton. Fluid Mech. 156, 165 (2009)",
-       {"b1", "b2", "b3", "b4", "b5"}},
-      {RotaryDiffusion::iard,
-       "iard",
-       "C = C_I (I - C_M D²/|D²|), |X| = sqrt(X:X/2); indefinite in uniaxial flow for "
-       "C_M > 3/4.",
-       "Tseng, Chang, Hsu, J. Rheol. 60, 215 (2016)",
-       {"C_I", "C_M"}},
-      {RotaryDiffusion::pard,
-       "pard",
-       "C = C_I R diag(1, Omega, 1 - Omega) Rᵀ in the axes of A.",
-       "Tseng, Chang, Hsu, J. Rheol. 62, 313 (2018)",
-       {"C_I", "Omega"}},
-      {RotaryDiffusion::mrd,
-       "mrd",
-       "C = C_I R diag(D1, D2, D3) Rᵀ in the axes of A.",
-       "Bakharev, Yu, Speight, Wang, ANTEC (2018)",
-       {"C_I", "D1", "D2", "D3"}},
-      {RotaryDiffusion::wpt,
-       "wpt",
-       "C = b1 I + b3 A².",
-       "Favaloro, Tucker, Composites A 126, 105605 (2019)",
-       {"b1", "b3"}}};
+const std::vector<RotaryDiffusionRow>& rotary_diffusions() {
+  static const std::vector<RotaryDiffusionRow> all = diffusion_rows(RotaryDiffusions{});
   return all;
 }
 
-const std::vector<OrientationChoice<Retardation>>& retardations() {
-  static const std::vector<OrientationChoice<Retardation>> all = {
-      {Retardation::none, "none", "No retardation.", "", {}},
-      {Retardation::rsc,
-       "rsc",
-       "Reduced strain closure: the principal values change kappa times as fast.",
-       "Wang, O'Gara, Tucker, J. Rheol. 52, 1179 (2008)",
-       {"kappa"}},
-      {Retardation::rpr,
-       "rpr",
-       "Retarding principal rate; with beta = 0 the same as rsc with kappa = 1 - alpha.",
-       "Tseng, Chang, Hsu, Phys. Fluids 25, 53103 (2013)",
-       {"alpha", "beta"}},
-      {Retardation::srf,
-       "srf",
-       "Strain reduction factor on the whole rate; not objective.",
-       "Huynh, MS thesis, University of Illinois (2001)",
-       {"srf"}}};
+const std::vector<RetardationRow>& retardations() {
+  static const std::vector<RetardationRow> all = retardation_rows(Retardations{});
   return all;
 }
 
 const std::vector<NamedOrientationModel>& named_orientation_models() {
-  static const std::vector<NamedOrientationModel> all = {
-      {"jeffery", RotaryDiffusion::none, Retardation::none},
-      {"folgar_tucker", RotaryDiffusion::folgar_tucker, Retardation::none},
-      {"rsc", RotaryDiffusion::folgar_tucker, Retardation::rsc},
-      {"srf", RotaryDiffusion::folgar_tucker, Retardation::srf},
-      {"ard", RotaryDiffusion::ard, Retardation::none},
-      {"ard_rsc", RotaryDiffusion::ard, Retardation::rsc},
-      {"iard", RotaryDiffusion::iard, Retardation::none},
-      {"iard_rpr", RotaryDiffusion::iard, Retardation::rpr},
-      {"pard", RotaryDiffusion::pard, Retardation::none},
-      {"pard_rpr", RotaryDiffusion::pard, Retardation::rpr},
-      {"mrd", RotaryDiffusion::mrd, Retardation::none},
-      {"wpt", RotaryDiffusion::wpt, Retardation::none}};
+  static const std::vector<NamedOrientationModel> all = named_models();
   return all;
 }
 
+const RotaryDiffusionRow& description_of(RotaryDiffusion diffusion) {
+  return rotary_diffusions()[static_cast<std::size_t>(diffusion)];
+}
+const RetardationRow& description_of(Retardation retardation) {
+  return retardations()[static_cast<std::size_t>(retardation)];
+}
 const char* name(RotaryDiffusion diffusion) {
-  return description(rotary_diffusions(), diffusion).name.c_str();
+  return description_of(diffusion).name.c_str();
 }
 const char* name(Retardation retardation) {
-  return description(retardations(), retardation).name.c_str();
+  return description_of(retardation).name.c_str();
+}
+bool acts_on_principal_values(Retardation retardation) {
+  return description_of(retardation).left != nullptr;
 }
 
 RotaryDiffusion rotary_diffusion_named(std::string_view name) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/vector.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/orientation_model.hpp"
 
@@ -28,6 +29,17 @@ struct OrientationChoice {
   std::vector<std::string> constants;
 };
 
+struct RotaryDiffusionRow : OrientationChoice<RotaryDiffusion> {
+  bool depends_on_orientation;  ///< C changes with A
+};
+
+struct RetardationRow : OrientationChoice<Retardation> {
+  /// Factor by which small changes of the principal values are slower near a steady state.
+  double (*slowness)(const OrientationConstants& constants);
+  /// What is left of the rates of the principal values, 1/s; null where the law acts on the whole rate.
+  Vec3 (*left)(const OrientationConstants& constants, const Vec3& rates);
+};
+
 /// A combination as the literature names it, "iard_rpr".
 struct NamedOrientationModel {
   std::string name;
@@ -35,16 +47,21 @@ struct NamedOrientationModel {
   Retardation retardation;
 };
 
-/// Every constant. To add a diffusion or a retardation: its enumerator (orientation_model.hpp), its
-/// formula in the compiled kernel (orientation_pack.hpp) and, for a diffusion, in rotary_diffusion, a row
-/// here, a test (docs/develop/adding_a_point_law.md).
+/// Every constant.
 [[nodiscard]] const std::vector<OrientationConstant>& orientation_constants();
-[[nodiscard]] const std::vector<OrientationChoice<RotaryDiffusion>>& rotary_diffusions();
-[[nodiscard]] const std::vector<OrientationChoice<Retardation>>& retardations();
+/// The laws of orientation_laws/orientation_laws.hpp; to add one: docs/develop/adding_an_orientation_law.md.
+[[nodiscard]] const std::vector<RotaryDiffusionRow>& rotary_diffusions();
+[[nodiscard]] const std::vector<RetardationRow>& retardations();
+/// The combinations that have a name; every diffusion is one by itself.
 [[nodiscard]] const std::vector<NamedOrientationModel>& named_orientation_models();
 
+[[nodiscard]] const RotaryDiffusionRow& description_of(RotaryDiffusion diffusion);
+[[nodiscard]] const RetardationRow& description_of(Retardation retardation);
 [[nodiscard]] const char* name(RotaryDiffusion diffusion);
 [[nodiscard]] const char* name(Retardation retardation);
+
+/// Whether a retardation takes the rates of the principal values apart from the turning of the axes.
+[[nodiscard]] bool acts_on_principal_values(Retardation retardation);
 
 /// Finds a choice by name; raises InputError with the nearest name.
 [[nodiscard]] RotaryDiffusion rotary_diffusion_named(std::string_view name);

@@ -129,10 +129,7 @@ std::vector<Vec5> starts(const Mat3& strain) {
 
 /// Factor by which a retardation slows down small changes of the principal values near a steady state.
 double slowness(const OrientationModel& model) {
-  const OrientationConstants& c = model.constants;
-  if (model.retardation == Retardation::rsc) return c.kappa;
-  if (model.retardation == Retardation::rpr) return 1 - c.alpha;
-  return model.retardation == Retardation::srf ? c.srf : 1;
+  return description_of(model.retardation).slowness(model.constants);
 }
 
 /// Growth rate of the fastest disturbance over the shear rate, of the law with its retardation.
@@ -140,7 +137,7 @@ double growth(const OrientationModel& model, const Rate& rate, const Vec5& x) {
   Mat5 jacobian = rate.jacobian(x);
   const Eigenframe frame = eigenframe(state_of(x));
   const double gap = std::min(frame.values[0] - frame.values[1], frame.values[1] - frame.values[2]);
-  if (model.retardation == Retardation::srf) jacobian *= slowness(model);
+  if (!acts_on_principal_values(model.retardation)) jacobian *= slowness(model);
   if (acts_on_principal_values(model.retardation) && gap > equal_values) {
     // The part along the axes is slowed down; beside equal values a disturbance makes its own axes.
     Mat5 retarded;

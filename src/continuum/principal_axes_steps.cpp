@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "continuum/orientation_registry.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/eigenframe.hpp"
 
@@ -12,7 +13,7 @@ namespace fiberfate {
 
 OrientationModel unretarded(const OrientationModel& model) {
   OrientationModel plain = model;
-  plain.retardation = Retardation::none;
+  plain.retardation = {};
   const OrientationConstants neutral;
   plain.constants.kappa = neutral.kappa;
   plain.constants.alpha = neutral.alpha;
@@ -24,21 +25,11 @@ OrientationModel unretarded(const OrientationModel& model) {
 PrincipalAxesSteps::PrincipalAxesSteps(const OrientationModel& model, const Mat3& gradient, double tolerance)
     : unretarded_(unretarded(model)), model_(model), gradient_(gradient), tolerance_(tolerance) {}
 
-Vec3 PrincipalAxesSteps::retarded(const Vec3& r) const {
-  const OrientationConstants& c = model_.constants;
-  if (model_.retardation == Retardation::rsc) return c.kappa * r;
-  Vec3 left;
-  for (int i = 0; i < 3; ++i)
-    left[i] = r[i] - c.alpha * (r[i] - c.beta * (r[i] * r[i] + 2 * r[(i + 1) % 3] * r[(i + 2) % 3]));
-  // RPR's products of rates do not sum to zero; the trace stays.
-  return left.array() - left.mean();
-}
-
 Mat3 PrincipalAxesSteps::euler(const Mat3& second, double step) const {
   const Vec3 values = eigenframe(second).values;
   const Eigenframe moved = eigenframe(second + step * unretarded_.unchecked_rate(second, gradient_));
   const Vec3 rates = (moved.values - values) / step;
-  const Vec3 next = values + step * retarded(rates);
+  const Vec3 next = values + step * description_of(model_.retardation).left(model_.constants, rates);
   return moved.axes * next.asDiagonal() * moved.axes.transpose();
 }
 

@@ -42,7 +42,6 @@ class PrincipalAxesSteps {
   [[nodiscard]] Mat3 euler(const Mat3& second, double step) const;
   /// Takes one extrapolated step and tells its error.
   [[nodiscard]] Mat3 extrapolated(const Mat3& second, double step, double& error) const;
-  [[nodiscard]] Vec3 retarded(const Vec3& rates) const;
 
   OrientationLaw unretarded_;
   OrientationModel model_;

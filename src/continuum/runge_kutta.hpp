@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/number_checks.hpp"
+
 namespace fiberfate {
 
 /// How finely to integrate.
@@ -25,11 +27,13 @@ struct IntegrationRecord {
 /// step, to take away round-off from invariants; it tells whether it changed y by more than that. Returns
 /// false when the steps ran out or shrank to nothing, with y where it came to. The step keeps |error| /
 /// (absolute + relative |y|) below 1 in the Euclidean norm; State is a fixed or dynamic Eigen column vector.
+/// Raises InputError for a duration that is negative or not finite.
 /// Source: Dormand, Prince, J. Comput. Appl. Math. 6, 19 (1980); Hairer, Norsett, Wanner, Solving Ordinary
 /// Differential Equations I (1993), II.4 and II.5.
 template <class State, class Slope, class Settle>
 bool integrate(const Slope& f, State& y, double duration, const IntegrationTolerance& tolerance,
                IntegrationRecord& record, const Settle& settle) {
+  require_number("duration", duration, not_negative);
   State k1 = y, k2 = y, k3 = y, k4 = y, k5 = y, k6 = y, k7 = y, next = y, error = y;
   f(y, k1);
   const auto scaled = [&](const State& v, const State& at) {

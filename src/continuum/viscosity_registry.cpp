@@ -63,8 +63,9 @@ ViscosityLawEntry row() {
 }  // namespace
 
 const std::vector<ViscosityLawEntry>& viscosity_laws() {
-  static const std::vector<ViscosityLawEntry> entries = {row<Newtonian>(), row<PowerLaw>(), row<Carreau>(),
-                                                         row<Cross>(), row<CrossWlf>()};
+  static const std::vector<ViscosityLawEntry> entries = {
+      row<Newtonian>(), row<PowerLaw>(), row<Carreau>(), row<Cross>(), row<CrossWlf>(),
+  };
   return entries;
 }
 

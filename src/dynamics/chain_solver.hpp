@@ -14,8 +14,8 @@
 #include "dynamics/hinge_laws/hinge_registry.hpp"
 #include "dynamics/pair_forces.hpp"
 #include "dynamics/rod_loads.hpp"
-#include "fibers/flow.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

@@ -10,8 +10,8 @@
 #include "dynamics/rod_loads.hpp"
 #include "dynamics/wall_search.hpp"
 #include "fibers/contact_laws/contact_registry.hpp"
-#include "fibers/flow.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

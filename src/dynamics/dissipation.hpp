@@ -5,8 +5,8 @@
 
 #include "base/vector.hpp"
 #include "dynamics/drag_laws/rod_drag.hpp"
-#include "fibers/flow.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "fibers/flow.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

@@ -82,4 +82,14 @@ void require_simulable(const FiberState& state) {
   }
 }
 
+void require_simulable(const FlowHistory& flow) {
+  require_steps(flow);
+  for (const FlowRow& row : flow.rows()) {
+    require_positive("the viscosity of the matrix", row.flow.viscosity);
+    if (row.flow.gradient != simple_shear(row.flow.gradient(0, 1)).gradient)
+      throw InputError("a cell of fibers flows otherwise than in simple shear u_x(y)",
+                       "give gradients whose only component is 12");
+  }
+}
+
 }  // namespace fiberfate

@@ -119,6 +119,7 @@ struct Simulation::Parts {
 Simulation::Simulation(const DynamicsParameters& parameters, FlowHistory flow, FiberState state) {
   require_admissible(parameters);
   require_simulable(state);
+  require_simulable(flow);
   const SuitableThreads threads = suitable_threads(state);
   parts_ = std::make_unique<Parts>(parameters, std::move(flow), std::move(state));
 }

@@ -7,8 +7,8 @@
 #include "base/timer.hpp"
 #include "dynamics/break_event.hpp"
 #include "dynamics/parameters.hpp"
-#include "fibers/flow.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow_history.hpp"
 
 namespace fiberfate {
 

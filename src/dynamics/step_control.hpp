@@ -3,7 +3,7 @@
 
 #include "dynamics/parameters.hpp"
 #include "dynamics/simulation.hpp"
-#include "fibers/flow.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "base/threads.hpp"
-#include "fibers/flow.hpp"
 #include "fibers/pair_candidates.hpp"
 #include "fibers/rod_grid.hpp"
 #include "fibers/rod_pairs.hpp"
 #include "fibers/state.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate {
 

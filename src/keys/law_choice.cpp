@@ -21,14 +21,11 @@ LawMenu menu_of(const std::vector<Entry>& entries) {
   return menu;
 }
 
-template <class Choice, class Value>
-void append_constants(const std::vector<OrientationChoice<Choice>>& choices, Value value,
-                      std::vector<std::string>& names, std::string& summary) {
-  for (const OrientationChoice<Choice>& one : choices) {
-    if (one.choice != value) continue;
-    names.insert(names.end(), one.constants.begin(), one.constants.end());
-    summary += (summary.empty() ? "" : " ") + one.meaning;
-  }
+template <class Choice>
+void append_constants(const OrientationChoice<Choice>& law, std::vector<std::string>& names,
+                      std::string& summary) {
+  names.insert(names.end(), law.constants.begin(), law.constants.end());
+  summary += (summary.empty() ? "" : " ") + law.meaning;
 }
 
 LawMenu make_orientation_menu() {
@@ -36,9 +33,9 @@ LawMenu make_orientation_menu() {
   for (const NamedOrientationModel& model : named_orientation_models()) {
     std::vector<std::string> names = {"xi", "U0"};
     LawMenuItem item = {model.name, "", {}};
-    append_constants(rotary_diffusions(), model.diffusion, names, item.summary);
-    if (model.retardation != Retardation::none)
-      append_constants(retardations(), model.retardation, names, item.summary);
+    append_constants(description_of(model.diffusion), names, item.summary);
+    if (model.retardation != Retardation{})
+      append_constants(description_of(model.retardation), names, item.summary);
     for (const OrientationConstant& constant : orientation_constants())
       if (std::find(names.begin(), names.end(), constant.parameter.name) != names.end())
         item.parameters.push_back(constant.parameter);
@@ -103,6 +100,16 @@ const LawMenu& viscosity_menu() {
 const LawMenu& orientation_menu() {
   static const LawMenu menu = make_orientation_menu();
   return menu;
+}
+
+const std::vector<Choice<Homogenisation>>& stiffness_choices() {
+  static const std::vector<Choice<Homogenisation>> choices = [] {
+    std::vector<Choice<Homogenisation>> all;
+    for (const HomogenisationDescription& one : homogenisations())
+      all.push_back({one.model, one.name, one.meaning});
+    return all;
+  }();
+  return choices;
 }
 
 void describe_law(KeyTable& table, const LawMenu& menu, const LawTable& where, LawChoice& choice) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "continuum/homogenisation.hpp"
 #include "continuum/law_parameter.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/key_table.hpp"
@@ -25,6 +26,9 @@ using LawMenu = std::vector<LawMenuItem>;
 [[nodiscard]] const LawMenu& attrition_menu();
 [[nodiscard]] const LawMenu& viscosity_menu();
 [[nodiscard]] const LawMenu& orientation_menu();
+
+/// Lists the models of the stiffness of aligned fibers.
+[[nodiscard]] const std::vector<Choice<Homogenisation>>& stiffness_choices();
 
 /// The name of a law and the parameters that the case gives, of whatever law.
 struct LawChoice {

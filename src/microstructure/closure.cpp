@@ -11,6 +11,7 @@
 #include "base/number_checks.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure_block.hpp"
+#include "microstructure/closure_laws/closure_laws.hpp"
 
 namespace fiberfate {
 namespace {
@@ -18,37 +19,20 @@ namespace {
 constexpr int block_lanes = 8;
 using Lanes = std::array<double, 6 * block_lanes>;
 
-constexpr std::array descriptions = {
-    ClosureDescription{Closure::linear, "linear",
-                       "Linear in A2: exact for isotropic states, unstable in flow.",
-                       "Advani, Tucker, J. Rheol. 31, 751 (1987)"},
-    ClosureDescription{Closure::quadratic, "quadratic", "A2 A2: exact for aligned states.",
-                       "Doi, J. Polym. Sci. B 19, 229 (1981)"},
-    ClosureDescription{Closure::hybrid, "hybrid",
-                       "Linear and quadratic mixed by 1 - 27 det A2; overestimates alignment.",
-                       "Advani, Tucker, J. Rheol. 34, 367 (1990)"},
-    ClosureDescription{Closure::ibof, "ibof",
-                       "Invariant-based optimal fitting: accurate and without eigenvectors.",
-                       "Chung, Kwon, J. Rheol. 46, 169 (2002)"},
-    ClosureDescription{Closure::orf, "orf", "Orthotropic, fitted to flows of C_I = 0.01.",
-                       "Cintra, Tucker, J. Rheol. 39, 1095 (1995)"},
-    ClosureDescription{Closure::orw, "orw", "Orthotropic, fitted to a wide range of C_I, second order.",
-                       "Chung, Kwon, Polym. Compos. 22, 636 (2001)"},
-    ClosureDescription{Closure::orw3, "orw3", "Orthotropic, fitted to a wide range of C_I, third order.",
-                       "Chung, Kwon, Polym. Compos. 22, 636 (2001)"},
-    ClosureDescription{Closure::ore, "ore",
-                       "Orthotropic equivalent of the natural closure (ORN), fourth order.",
-                       "VerWeyst, PhD thesis, University of Illinois (1998)"},
-    ClosureDescription{Closure::ors, "ors", "Orthotropic smooth: linear in the principal values.",
-                       "Cintra, Tucker, J. Rheol. 39, 1095 (1995)"},
-    ClosureDescription{Closure::orl, "orl", "Orthotropic, fitted to flows of low C_I.",
-                       "Cintra, Tucker, J. Rheol. 39, 1095 (1995)"},
-    ClosureDescription{Closure::orp, "orp", "Orthotropic peaked: all fibers along the principal axes.",
-                       "Cintra, Tucker, J. Rheol. 39, 1095 (1995)"},
-    ClosureDescription{Closure::bingham, "bingham", "As a Bingham distribution, fitted, third order.",
-                       "Chaubal, Leal, J. Rheol. 42, 177 (1998)"},
-    ClosureDescription{Closure::exact, "exact", "Exact for Jeffery's equation from an isotropic state; slow.",
-                       "Montgomery-Smith et al., J. Fluid Mech. 680, 321 (2011)"}};
+/// What the list needs to know where nothing is computed.
+struct NoMath {
+  struct Number;
+  struct Symmetric;
+  struct Frame;
+  struct Orthotropic;
+};
+
+template <template <class> class... Laws>
+std::vector<ClosureDescription> descriptions_of(ClosureLawList<Laws...>) {
+  int number = 0;
+  return {
+      {Closure{number++}, Laws<NoMath>::text.name, Laws<NoMath>::text.meaning, Laws<NoMath>::text.source}...};
+}
 
 void contract(Closure closure, const ClosureBlock& block) {
   return FIBERFATE_KERNEL(contract_closures)(closure, block);
@@ -56,19 +40,20 @@ void contract(Closure closure, const ClosureBlock& block) {
 
 }  // namespace
 
-std::span<const ClosureDescription> closures() {
-  return descriptions;
+const std::vector<ClosureDescription>& closures() {
+  static const std::vector<ClosureDescription> all = descriptions_of(ClosureLaws{});
+  return all;
 }
 
 const char* name(Closure closure) {
-  return std::ranges::find(descriptions, closure, &ClosureDescription::closure)->name;
+  return closures()[static_cast<std::size_t>(closure)].name;
 }
 
 Closure closure_named(std::string_view name) {
   std::string wanted(name);
   std::ranges::transform(wanted, wanted.begin(),
                          [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return entry_named(descriptions, "closure", wanted).closure;
+  return entry_named(closures(), "closure", wanted).closure;
 }
 
 Mat6 close(const Mat3& second, Closure closure) {

@@ -1,9 +1,9 @@
 // Makes the fourth-order orientation tensor from the second-order one.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "microstructure/closure_kind.hpp"
 #include "microstructure/tensor.hpp"
@@ -19,7 +19,7 @@ struct ClosureDescription {
 };
 
 /// All closures.
-[[nodiscard]] std::span<const ClosureDescription> closures();
+[[nodiscard]] const std::vector<ClosureDescription>& closures();
 /// The name of a closure.
 [[nodiscard]] const char* name(Closure closure);
 /// Finds a closure by name, in capitals or not; raises InputError with the nearest name.

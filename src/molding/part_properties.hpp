@@ -11,7 +11,7 @@ namespace fiberfate {
 /// What the solid is made of.
 struct PartSolid {
   CompositeMaterial composite;
-  Homogenisation model = Homogenisation::mori_tanaka;
+  Homogenisation model{};
   double fiber_diameter = 19e-6;  ///< m
 };
 

@@ -35,9 +35,9 @@ struct Points {
 
 OrientationLaw law_of(const char* name, const char* closure) {
   OrientationModel model = orientation_model_named(name, closure);
-  if (model.diffusion != RotaryDiffusion::none) model.constants.c_i = 0.0165;
-  if (model.diffusion == RotaryDiffusion::iard) model.constants.c_m = 0.999;
-  if (model.retardation == Retardation::rpr) model.constants.alpha = 0.965;
+  if (model.diffusion != rotary_diffusion_named("jeffery")) model.constants.c_i = 0.0165;
+  if (model.diffusion == rotary_diffusion_named("iard")) model.constants.c_m = 0.999;
+  if (model.retardation == retardation_named("rpr")) model.constants.alpha = 0.965;
   return OrientationLaw(model);
 }
 

@@ -12,7 +12,7 @@
 
 #include "base/constants.hpp"
 #include "base/vector.hpp"
-#include "fibers/flow.hpp"
+#include "microstructure/flow.hpp"
 
 namespace fiberfate::reference {
 

@@ -68,6 +68,14 @@ void validate_output(const AttritionCase& values, CaseChecker& checker) {
                     "give times up to run.duration");
 }
 
+/// Simple shear of a melt whose viscosity a law gives.
+Flow melt_flow(double rate, double temperature, double pressure) {
+  Flow flow = simple_shear(rate);
+  flow.temperature = temperature;
+  flow.pressure = pressure;
+  return flow;
+}
+
 }  // namespace
 
 void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
@@ -81,7 +89,7 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
 
 CaseEstimate estimate_attrition(const AttritionCase& values) {
   CaseEstimate estimate;
-  const MeltState melt = length_history(values.flow).at(0);
+  const MeltState melt = melt_of(flow_history(values.flow).at(0));
   const double viscosity =
       make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt))->at(melt);
   const auto law = make_attrition_law(values.law.name, law_values(attrition_menu(), values.law));
@@ -103,15 +111,16 @@ CaseEstimate estimate_attrition(const AttritionCase& values) {
   return estimate;
 }
 
-LengthHistory length_history(const AttritionFlowChoices& flow) {
+FlowHistory flow_history(const AttritionFlowChoices& flow) {
   if (flow.kind == AttritionFlow::table) {
-    std::vector<LengthHistoryRow> rows;
-    for (const std::vector<double>& row : flow.table) rows.push_back({row[0], row[1], row[2], row[3]});
-    return LengthHistory(std::move(rows), flow.form);
+    std::vector<FlowRow> rows;
+    for (const std::vector<double>& row : flow.table)
+      rows.push_back({row[0], melt_flow(row[1], row[2], row[3])});
+    return FlowHistory(std::move(rows), flow.form);
   }
   const bool couette = flow.kind == AttritionFlow::couette;
   const double rate = couette ? shear_rate(flow.couette, flow.speed.value_or(0)) : flow.rate.value_or(0);
-  return LengthHistory::constant({rate, flow.temperature, flow.pressure});
+  return FlowHistory::constant(melt_flow(rate, flow.temperature, flow.pressure));
 }
 
 std::vector<double> output_times(const AttritionCase& values) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "continuum/length_history.hpp"
+#include "continuum/length_prediction.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/law_choice.hpp"
 #include "studies/flow_choices.hpp"
@@ -51,7 +51,7 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_attrition(const AttritionCase& values);
 
 /// Makes what a valid case asks for.
-[[nodiscard]] LengthHistory length_history(const AttritionFlowChoices& flow);
+[[nodiscard]] FlowHistory flow_history(const AttritionFlowChoices& flow);
 /// The times of series.csv, those of the histograms among them, s.
 [[nodiscard]] std::vector<double> output_times(const AttritionCase& values);
 

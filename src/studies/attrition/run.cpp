@@ -36,7 +36,7 @@ std::vector<double> histogram_times(const AttritionCase& values) {
 Followed follow(const AttritionCase& values, const LawChoice& choice) {
   const auto law = make_attrition_law(choice.name, law_values(attrition_menu(), choice));
   const auto melt = make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt));
-  const LengthHistory history = length_history(values.flow);
+  const FlowHistory history = flow_history(values.flow);
   const LengthStart start = length_start(values.fibers);
   const std::vector<double> edges = even_edges({start.initial.lengths, start.initial.numbers},
                                                static_cast<int>(values.output.histogram_bins));

@@ -107,7 +107,7 @@ void predict_lengths(const AttritionLaw& law, const std::vector<Condition>& cond
                      const std::vector<Slot>& slots, std::span<double> predictions) {
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const Condition& condition = conditions[i];
-    const LengthHistory history = LengthHistory::constant({condition.flow.rate, 0, 0});
+    const FlowHistory history = FlowHistory::constant(simple_shear(condition.flow.rate));
     const auto viscosity = make_viscosity_law("newtonian", std::vector<double>{condition.flow.viscosity});
     follow_lengths(law, condition.start, {history, *viscosity, condition.flow.compression}, condition.times,
                    [&](const LengthSample& sample) {
@@ -124,7 +124,7 @@ void predict_orientation(const OrientationModel& model, const std::vector<Condit
   const OrientationLaw law(model);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const Condition& condition = conditions[i];
-    OrientationIntegrator integrator(law, GradientHistory::constant(condition.gradient),
+    OrientationIntegrator integrator(law, FlowHistory::constant({condition.gradient}),
                                      {0, condition.orientation},
                                      {integration_tolerance, integration_tolerance});
     for (const double time : condition.times) {

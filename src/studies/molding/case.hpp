@@ -98,7 +98,7 @@ struct MoldingFiberChoices {
 
 /// The keys of [composite]: what stiffness and expansion need.
 struct CompositeChoices {
-  Homogenisation model = Homogenisation::mori_tanaka;
+  Homogenisation model{};
   IsotropicElasticity fiber = {73e9, 0.22};
   IsotropicElasticity matrix = {1.5e9, 0.4};
   double fiber_expansion = 5e-6;     ///< 1/K

@@ -85,10 +85,7 @@ void describe_fibers(KeyTable& table, MoldingFiberChoices& fibers) {
 
 void describe_composite(KeyTable& table, CompositeChoices& composite) {
   table.section("composite", "Properties of the solid, for stiffness and thermal expansion.");
-  table.choice("composite.model", composite.model,
-               {{Homogenisation::halpin_tsai, "halpin_tsai", "Halpin and Tsai"},
-                {Homogenisation::mori_tanaka, "mori_tanaka", "Mori and Tanaka"},
-                {Homogenisation::lielens, "lielens", "between the bounds"}},
+  table.choice("composite.model", composite.model, stiffness_choices(),
                {.text = "Model of aligned fibers (docs/theory/properties.md)."});
   const auto modulus = [&table](const char* key, double& member, const char* text) {
     table.quantity(std::string("composite.") + key, member,

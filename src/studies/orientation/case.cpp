@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/orientation_registry.hpp"
@@ -19,10 +18,10 @@ namespace {
 /// Intervals into which a ramp between two rows of the table is cut; the error falls with its square.
 constexpr int ramp_pieces = 16;
 
-template <class Choice>
-LawMenu menu_of(const std::vector<OrientationChoice<Choice>>& choices) {
+template <class Row>
+LawMenu menu_of(const std::vector<Row>& choices) {
   LawMenu menu;
-  for (const OrientationChoice<Choice>& choice : choices) {
+  for (const Row& choice : choices) {
     LawMenuItem item{choice.name, choice.meaning, {}};
     for (const std::string& name : choice.constants)
       for (const OrientationConstant& constant : orientation_constants())
@@ -174,7 +173,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
 }
 
 CaseEstimate estimate_orientation(const OrientationCase& values) {
-  const Mat3 gradient = gradient_history(values.flow).at(0);
+  const Mat3 gradient = gradient_history(values.flow).at(0).gradient;
   const double rate = rate_of(gradient);
   const Mat3 diffusion = rotary_diffusion(orientation_model(values), values.fibers.orientation, gradient);
   CaseEstimate estimate;
@@ -214,20 +213,11 @@ OrientationModel orientation_model(const OrientationCase& values) {
   return model;
 }
 
-GradientHistory gradient_history(const OrientationFlowChoices& flow) {
-  if (flow.kind != OrientationFlow::table) return GradientHistory::constant(constant_gradient(flow));
-  std::vector<double> times;
-  std::vector<Mat3> gradients;
-  for (const std::vector<double>& row : flow.table) {
-    times.push_back(row[0]);
-    gradients.push_back(row_gradient(row, 1));
-  }
-  if (flow.form == GradientForm::ramps) return GradientHistory::interpolated(times, gradients, ramp_pieces);
-  std::vector<GradientInterval> intervals;
-  for (std::size_t i = 0; i < times.size(); ++i)
-    intervals.push_back(
-        {i + 1 < times.size() ? times[i + 1] : std::numeric_limits<double>::infinity(), gradients[i]});
-  return GradientHistory(std::move(intervals));
+FlowHistory gradient_history(const OrientationFlowChoices& flow) {
+  if (flow.kind != OrientationFlow::table) return FlowHistory::constant({constant_gradient(flow)});
+  std::vector<FlowRow> rows;
+  for (const std::vector<double>& row : flow.table) rows.push_back({row[0], {row_gradient(row, 1)}});
+  return FlowHistory(std::move(rows), flow.form).in_steps(ramp_pieces);
 }
 
 }  // namespace fiberfate

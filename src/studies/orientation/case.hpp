@@ -20,9 +20,6 @@ enum class OrientationFlow { shear, planar, uniaxial, biaxial, mixed, gradient, 
 /// Whether the distribution function is solved beside the tensor equation.
 enum class DistributionChoice { no, yes };
 
-/// What happens between the rows of a table of gradients.
-enum class GradientForm { steps, ramps };
-
 /// [flow].
 struct OrientationFlowChoices {
   OrientationFlow kind = OrientationFlow::shear;
@@ -32,7 +29,7 @@ struct OrientationFlowChoices {
   ShearGradient shear_gradient = ShearGradient::y;
   std::vector<std::vector<double>> gradient;  ///< one row of nine numbers, 1/s
   std::vector<std::vector<double>> table;     ///< rows (time s, nine numbers 1/s)
-  GradientForm form = GradientForm::steps;
+  HistoryForm form = HistoryForm::steps;
   double temperature = 523.15;  ///< K, for [melt]
   double pressure = 0;          ///< Pa, for [melt]
 };
@@ -81,6 +78,6 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] OrientationModel orientation_model(const OrientationCase& values);
-[[nodiscard]] GradientHistory gradient_history(const OrientationFlowChoices& flow);
+[[nodiscard]] FlowHistory gradient_history(const OrientationFlowChoices& flow);
 
 }  // namespace fiberfate

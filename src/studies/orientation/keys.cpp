@@ -27,8 +27,8 @@ KeyGroup<OrientationFlowChoices> flow_keys() {
       {OrientationFlow::mixed, "mixed", "simple shear at flow.rate with planar elongation"},
       {OrientationFlow::gradient, "gradient", "any constant gradient, flow.gradient"},
       {OrientationFlow::table, "table", "the gradient follows flow.table"}};
-  const Choices<GradientForm> forms = {{GradientForm::steps, "steps", "each row holds until the next"},
-                                       {GradientForm::ramps, "ramps", "linear between the rows"}};
+  const Choices<HistoryForm> forms = {{HistoryForm::steps, "steps", "each row holds until the next"},
+                                      {HistoryForm::ramps, "ramps", "linear between the rows"}};
   return {
       "flow",
       "The homogeneous flow that turns the fibers; L_ij = d v_i / d x_j.",

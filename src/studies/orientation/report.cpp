@@ -15,7 +15,8 @@ FactsSection asked(const OrientationCase& values) {
   section.rows.insert(section.rows.end(), melt.begin(), melt.end());
   section.rows.push_back({"Closure", values.solution.closure});
   section.rows.push_back({"Shape factor", orientation_model(values).constants.xi});
-  section.rows.push_back({"Velocity gradient at the start", gradient_history(values.flow).at(0), "1/s"});
+  section.rows.push_back(
+      {"Velocity gradient at the start", gradient_history(values.flow).at(0).gradient, "1/s"});
   section.rows.push_back({"Orientation at the start", values.fibers.orientation});
   section.rows.push_back({"Duration", values.run.duration, "s"});
   return section;

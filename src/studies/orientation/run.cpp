@@ -28,7 +28,7 @@ class DistributionFollower {
   [[nodiscard]] Mat3 advance_to(double time) {
     while (time_ < time) {
       const double end = std::min(time, history_.next_change(time_));
-      equation_.advance(psi_, history_.at(time_), end - time_, tolerance_);
+      equation_.advance(psi_, history_.at(time_).gradient, end - time_, tolerance_);
       time_ = end;
     }
     return equation_.second_moment(psi_);
@@ -36,7 +36,7 @@ class DistributionFollower {
 
  private:
   FokkerPlanck equation_;
-  GradientHistory history_;
+  FlowHistory history_;
   IntegrationTolerance tolerance_;
   Eigen::VectorXd psi_;
   double time_ = 0;
@@ -56,10 +56,10 @@ class OrientationRun {
 
   [[nodiscard]] OrientationMoment advance_to(double time) {
     for (double at = time_; at < time; at = std::min(time, history_.next_change(at)))
-      strain_ += rate_of(history_.at(at)) * (std::min(time, history_.next_change(at)) - at);
+      strain_ += rate_of(history_.at(at).gradient) * (std::min(time, history_.next_change(at)) - at);
     time_ = time;
     integrator_.advance_to(time);
-    const Mat3 gradient = history_.at(time);
+    const Mat3 gradient = history_.at(time).gradient;
     OrientationMoment now{time, strain_, rate_of(gradient), integrator_.state().second};
     const Mat6 fourth = close(now.second, model_.closure);
     now.principal = eigenframe(now.second).values;
@@ -79,7 +79,7 @@ class OrientationRun {
     if (stress_)
       summary.own.insert(summary.own.end(),
                          {{"fiber_term", stress_->fiber_term()}, {"stress_Pa", last.stress.extra}});
-    const double rate = OrientationLaw(model_).rate(last.second, history_.at(last.time)).norm();
+    const double rate = OrientationLaw(model_).rate(last.second, history_.at(last.time).gradient).norm();
     summary.own.insert(summary.own.end(), {{"rejected_steps", integrator_.record().rejected},
                                            {"projections", integrator_.projections()},
                                            {"final_rate_per_s", rate}});
@@ -87,7 +87,7 @@ class OrientationRun {
 
  private:
   OrientationModel model_;
-  GradientHistory history_;
+  FlowHistory history_;
   OrientationIntegrator integrator_;
   std::optional<DistributionFollower> distribution_;
   std::optional<StressEvaluator> stress_;

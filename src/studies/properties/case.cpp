@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "keys/key_rows.hpp"
+#include "keys/law_choice.hpp"
 #include "packing/population.hpp"
 
 namespace fiberfate {
@@ -52,14 +53,10 @@ KeyGroup<CompositeFiberChoices> fiber_keys() {
 }
 
 KeyGroup<SolutionChoices> solution_keys() {
-  const Choices<Homogenisation> models = {
-      {Homogenisation::halpin_tsai, "halpin_tsai", "semi-empirical interpolation"},
-      {Homogenisation::mori_tanaka, "mori_tanaka", "mean field with Eshelby's tensor"},
-      {Homogenisation::lielens, "lielens", "between the bounds; stiffer at high fractions"}};
   return {"solution",
           "How properties are predicted (docs/theory/properties.md).",
           {
-              key("model", &SolutionChoices::model, models, "Stiffness of aligned fibers."),
+              key("model", &SolutionChoices::model, stiffness_choices(), "Stiffness of aligned fibers."),
               name_key("closure", &SolutionChoices::closure, closure_names(),
                        "How A4 is made from A2 (docs/theory/closures.md)."),
           }};

@@ -37,7 +37,7 @@ struct CompositeMatrixChoices {
 
 /// [solution].
 struct SolutionChoices {
-  Homogenisation model = Homogenisation::mori_tanaka;
+  Homogenisation model{};
   std::string closure = "exact";  ///< at no cost here, and right for aligned, planar and isotropic fibers
 };
 

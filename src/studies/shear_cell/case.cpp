@@ -156,9 +156,14 @@ DynamicsParameters dynamics_parameters(const ShearCellCase& values) {
 
 FlowHistory flow_history(const FlowChoices& flow) {
   if (flow.kind == FlowKind::table) {
-    std::vector<FlowInterval> intervals;
-    for (const std::vector<double>& row : flow.table) intervals.push_back({row[0], row[1], row[2]});
-    return FlowHistory(std::move(intervals));
+    // Rows of the table say until when they hold, rows of a history from when on.
+    std::vector<FlowRow> rows;
+    double begin = 0;
+    for (const std::vector<double>& row : flow.table) {
+      rows.push_back({begin, simple_shear(row[1], row[2])});
+      begin = row[0];
+    }
+    return FlowHistory(std::move(rows));
   }
   const double rate = flow.rate.value_or(0), viscosity = flow.viscosity.value_or(0);
   if (flow.kind == FlowKind::ramp)
@@ -168,13 +173,7 @@ FlowHistory flow_history(const FlowChoices& flow) {
 
 double shear_strain(const FlowHistory& flow, double time) {
   double strain = 0;
-  double begin = 0;
-  for (const FlowInterval& interval : flow.intervals()) {
-    const bool lasts = &interval == &flow.intervals().back();
-    const double end = lasts ? time : std::min(interval.end_time, time);
-    strain += interval.rate * std::max(0.0, end - begin);
-    begin = std::max(begin, end);
-  }
+  for (const FlowPart& part : flow.parts(0, time)) strain += part.flow.gradient(0, 1) * part.duration;
   return strain;
 }
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "dynamics/parameters.hpp"
-#include "fibers/flow.hpp"
 #include "keys/case_checker.hpp"
+#include "microstructure/flow_history.hpp"
 #include "studies/run_choices.hpp"
 #include "studies/sample/case.hpp"
 #include "studies/study.hpp"

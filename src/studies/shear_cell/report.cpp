@@ -54,7 +54,9 @@ FactsSection asked(const ShearCellCase& values) {
       {"Boundary in y", std::string(values.boundary.y == Boundary::walls ? "walls" : "periodic")});
   section.rows.push_back({"Drag", values.dynamics.drag});
   append_contact(section.rows, values.dynamics.contact);
+  section.rows.push_back({"Friction", values.dynamics.contact.friction_law});
   section.rows.push_back({"Friction coefficient", values.dynamics.contact.friction});
+  section.rows.push_back({"Bending", values.dynamics.hinge});
   append_breakage(section.rows, values.dynamics.breakage);
   section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});
   return section;

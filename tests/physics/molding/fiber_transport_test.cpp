@@ -184,8 +184,7 @@ TEST(OrientationTransport, WallHasTheSteadyStateOfThePointLaw) {
   params.fibers.orientation = model();
   Filling filling{ShellMesh(rectangle(r)), params};
   filling.run_to_end();
-  OrientationIntegrator point(OrientationLaw(model()), GradientHistory::constant(simple_shear_gradient()),
-                              {});
+  OrientationIntegrator point(OrientationLaw(model()), FlowHistory::constant({simple_shear_gradient()}), {});
   point.advance_to(300);
   const std::size_t node = filling.mesh().nearest_node({0.04, 0.005, 0}), wall = filling.layers().count() - 2;
   Mat3 wanted = point.state().second, found = filling.orientation(node, wall);

@@ -20,7 +20,8 @@ class RestartInvariance : public testing::TestWithParam<std::string> {};
 
 TEST_P(RestartInvariance, FromAnyStep) {
   const FiberState start = scenes::scatter(scenes::soft_fibers());
-  const FlowHistory flow({{2e-3, 100, 500}, {8e-3, 300, 300}, {1e9, 250, 500}});
+  const FlowHistory flow(
+      {{0, simple_shear(100, 500)}, {2e-3, simple_shear(300, 300)}, {8e-3, simple_shear(250, 500)}});
   const DynamicsParameters parameters = with_breakage(GetParam());
   Simulation whole(parameters, flow, start);
   std::vector<FiberState> saved;

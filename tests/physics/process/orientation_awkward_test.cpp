@@ -80,8 +80,9 @@ struct Batch {
 };
 
 TEST(AwkwardStates, EveryLawKeepsThemAdmissible) {
-  for (const Closure closure : {Closure::quadratic, Closure::hybrid, Closure::ibof, Closure::orf,
-                                Closure::orw, Closure::orw3, Closure::ore, Closure::bingham}) {
+  for (const Closure closure :
+       {closure_named("quadratic"), closure_named("hybrid"), closure_named("ibof"), closure_named("orf"),
+        closure_named("orw"), closure_named("orw3"), closure_named("ore"), closure_named("bingham")}) {
     for (const OrientationModel& model : all_models(closure)) {
       Batch batch;
       OrientationLaw(model).advance(batch.points, {.duration = 5, .tolerance = 1e-6});
@@ -100,10 +101,10 @@ TEST(AwkwardStates, EveryLawKeepsThemAdmissible) {
 TEST(AwkwardStates, IsotropicStartsAreObjective) {
   Mat3 tilt;
   tilt << 0.36, 0.48, -0.8, -0.8, 0.6, 0, 0.48, 0.64, 0.6;
-  for (const OrientationModel& model : all_models(Closure::ibof)) {
-    if (model.retardation == Retardation::srf) continue;
+  for (const OrientationModel& model : all_models(closure_named("ibof"))) {
+    if (model.retardation == retardation_named("srf")) continue;
     const auto after = [&](const Mat3& gradient) {
-      OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(gradient), {},
+      OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({gradient}), {},
                                        {.absolute = 1e-10, .relative = 1e-10});
       integrator.advance_to(3);
       return integrator.state().second;
@@ -115,11 +116,11 @@ TEST(AwkwardStates, IsotropicStartsAreObjective) {
 
 /// Twice the rate, half the time: the history is one of strain.
 TEST(AwkwardStates, HistoriesScaleWithTheRate) {
-  for (OrientationModel model : all_models(Closure::ore)) {
+  for (OrientationModel model : all_models(closure_named("ore"))) {
     model.constants.beta = 0;  // the one constant with a dimension
     const auto after = [&](double rate, double time) {
       OrientationIntegrator integrator(OrientationLaw(model),
-                                       GradientHistory::constant(rate * simple_shear_gradient()), {},
+                                       FlowHistory::constant({rate * simple_shear_gradient()}), {},
                                        {.absolute = 1e-10, .relative = 1e-10});
       integrator.advance_to(time);
       return integrator.state().second;
@@ -131,13 +132,13 @@ TEST(AwkwardStates, HistoriesScaleWithTheRate) {
 /// r to infinity: the history of ever longer fibers tends to that of slender ones, as 2/r².
 TEST(AwkwardStates, LongFibersTendToSlenderOnes) {
   const auto a11 = [](double aspect_ratio) {
-    OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::rsc, Closure::ibof, {}};
+    OrientationModel model{
+        rotary_diffusion_named("folgar_tucker"), retardation_named("rsc"), closure_named("ibof"), {}};
     model.constants.c_i = 0.005;
     model.constants.kappa = 0.3;
     model.constants.xi = shape_factor(aspect_ratio);
-    OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant(simple_shear_gradient()), {},
-                                     {.absolute = 1e-12, .relative = 1e-12});
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({simple_shear_gradient()}),
+                                     {}, {.absolute = 1e-12, .relative = 1e-12});
     integrator.advance_to(20);
     return integrator.state().second(0, 0);
   };

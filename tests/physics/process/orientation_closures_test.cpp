@@ -17,19 +17,19 @@ struct Reference {
   double tolerance;
   bool fitted;
 };
-const Reference references[] = {{"linear", Closure::linear, 1e-14, false},
-                                {"quadratic", Closure::quadratic, 1e-14, false},
-                                {"hybrid", Closure::hybrid, 1e-14, false},
-                                {"IBOF", Closure::ibof, 1e-12, false},
-                                {"ORF", Closure::orf, 3e-6, true},
-                                {"ORW", Closure::orw, 1e-12, true},
-                                {"ORW3", Closure::orw3, 1e-12, true},
-                                {"ORE_natural", Closure::ore, 1e-11, true},
-                                {"ORS_smooth", Closure::ors, 1e-12, true},
-                                {"ORL_lowCI", Closure::orl, 3e-6, true},
-                                {"ORP_peaked", Closure::orp, 1e-12, true},
-                                {"Bingham_ChaubalLeal", Closure::bingham, 1e-12, true},
-                                {"exact_Jeffery", Closure::exact, 1e-11, false}};
+const Reference references[] = {{"linear", closure_named("linear"), 1e-14, false},
+                                {"quadratic", closure_named("quadratic"), 1e-14, false},
+                                {"hybrid", closure_named("hybrid"), 1e-14, false},
+                                {"IBOF", closure_named("ibof"), 1e-12, false},
+                                {"ORF", closure_named("orf"), 3e-6, true},
+                                {"ORW", closure_named("orw"), 1e-12, true},
+                                {"ORW3", closure_named("orw3"), 1e-12, true},
+                                {"ORE_natural", closure_named("ore"), 1e-11, true},
+                                {"ORS_smooth", closure_named("ors"), 1e-12, true},
+                                {"ORL_lowCI", closure_named("orl"), 3e-6, true},
+                                {"ORP_peaked", closure_named("orp"), 1e-12, true},
+                                {"Bingham_ChaubalLeal", closure_named("bingham"), 1e-12, true},
+                                {"exact_Jeffery", closure_named("exact"), 1e-11, false}};
 
 TEST(OrientationClosures, MatchTheReferenceTable) {
   const auto table = reference_table("closures.json");

@@ -9,6 +9,7 @@
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
 #include "continuum/orientation_law.hpp"
+#include "continuum/orientation_registry.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "physics/record.hpp"
@@ -17,7 +18,8 @@ namespace fiberfate {
 namespace {
 
 OrientationModel folgar_tucker(double c_i) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, Closure::ibof, {}};
+  OrientationModel model{
+      rotary_diffusion_named("folgar_tucker"), retardation_named("none"), closure_named("ibof"), {}};
   model.constants.c_i = c_i;
   return model;
 }
@@ -45,7 +47,8 @@ TEST(OrientationDistribution, TransientShearReachesTheSteadyState) {
 }
 
 TEST(OrientationDistribution, WithoutDiffusionItIsJefferysDeformedPopulation) {
-  const FokkerPlanck equation({RotaryDiffusion::none, Retardation::none, Closure::ibof, {}}, 40);
+  const FokkerPlanck equation(
+      {rotary_diffusion_named("jeffery"), retardation_named("none"), closure_named("ibof"), {}}, 40);
   Mat3 gradient;
   gradient << 0.5, 1.25, 2.5, -0.75, 0.25, 1.0, 0.375, -0.5, -0.75;
   Eigen::VectorXd psi = equation.isotropic();
@@ -60,7 +63,7 @@ TEST(OrientationDistribution, WithoutDiffusionItIsJefferysDeformedPopulation) {
 
 TEST(OrientationDistribution, ItsMomentsObeyTheTensorEquation) {
   // An anisotropic diffusion tensor and a general flow exercise every operator.
-  OrientationModel model{RotaryDiffusion::ard, Retardation::none, Closure::ibof, {}};
+  OrientationModel model{rotary_diffusion_named("ard"), retardation_named("none"), closure_named("ibof"), {}};
   model.constants.xi = 0.9;
   model.constants.b1 = 0.05;
   model.constants.b3 = 0.1;
@@ -97,7 +100,8 @@ TEST(OrientationDistribution, EnoughDegreesConverge) {
 }
 
 TEST(OrientationDistribution, StartsFromAnyOrientationWithTheFourthMomentOfTheExactClosure) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, Closure::exact, {}};
+  OrientationModel model{
+      rotary_diffusion_named("folgar_tucker"), retardation_named("none"), closure_named("exact"), {}};
   model.constants.c_i = 0.01;
   model.constants.xi = 0.9;  // not read: the start is that of slender fibers
   const FokkerPlanck equation(model, 40);
@@ -106,7 +110,7 @@ TEST(OrientationDistribution, StartsFromAnyOrientationWithTheFourthMomentOfTheEx
   const Mat3 second = rotated(Mat3(Vec3(0.55, 0.3, 0.15).asDiagonal()), turn);
   const Eigen::VectorXd psi = equation.with_second_moment(second);
   EXPECT_LT((equation.second_moment(psi) - second).norm(), 1e-9);
-  EXPECT_LT((equation.fourth_moment(psi) - close(second, Closure::exact)).norm(), 1e-9);
+  EXPECT_LT((equation.fourth_moment(psi) - close(second, closure_named("exact"))).norm(), 1e-9);
   EXPECT_LT((equation.with_second_moment(Mat3::Identity() / 3) - equation.isotropic()).norm(), 1e-12);
   EXPECT_THROW((void)equation.with_second_moment(Vec3(0.6, 0.4, 0).asDiagonal()), InputError);
   EXPECT_THROW((void)FokkerPlanck(model, 4).with_second_moment(Vec3(0.9, 0.06, 0.04).asDiagonal()),
@@ -115,10 +119,11 @@ TEST(OrientationDistribution, StartsFromAnyOrientationWithTheFourthMomentOfTheEx
 
 TEST(OrientationDistribution, WhatHasNoDistributionIsRefused) {
   OrientationModel retarded = folgar_tucker(0.01);
-  retarded.retardation = Retardation::rsc;
+  retarded.retardation = retardation_named("rsc");
   EXPECT_THROW(FokkerPlanck(retarded, 10), InputError);
   EXPECT_THROW(FokkerPlanck(folgar_tucker(0.01), 7), InputError);
-  OrientationModel indefinite{RotaryDiffusion::iard, Retardation::none, Closure::ibof, {}};
+  OrientationModel indefinite{
+      rotary_diffusion_named("iard"), retardation_named("none"), closure_named("ibof"), {}};
   indefinite.constants.c_i = 0.05;
   indefinite.constants.c_m = 0.9;
   const FokkerPlanck equation(indefinite, 10);

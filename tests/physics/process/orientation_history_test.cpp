@@ -8,6 +8,7 @@
 #include "base/threads.hpp"
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
+#include "continuum/orientation_registry.hpp"
 #include "microstructure/admissibility.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
@@ -16,13 +17,13 @@ namespace fiberfate {
 namespace {
 
 OrientationModel folgar_tucker(double c_i, Closure closure) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, closure, {}};
+  OrientationModel model{rotary_diffusion_named("folgar_tucker"), retardation_named("none"), closure, {}};
   model.constants.c_i = c_i;
   return model;
 }
 
 OrientationModel iard_rpr() {
-  OrientationModel model{RotaryDiffusion::iard, Retardation::rpr, Closure::ibof, {}};
+  OrientationModel model{rotary_diffusion_named("iard"), retardation_named("rpr"), closure_named("ibof"), {}};
   model.constants.c_i = 0.0165;
   model.constants.c_m = 0.999;
   model.constants.alpha = 0.965;
@@ -31,7 +32,7 @@ OrientationModel iard_rpr() {
 
 TEST(OrientationHistory, TraceStaysOneThroughAThousandUnitsOfStrain) {
   OrientationIntegrator integrator(OrientationLaw(iard_rpr()),
-                                   GradientHistory::constant(simple_shear_gradient()), {});
+                                   FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(1000);
   EXPECT_NEAR(integrator.state().second.trace(), 1, 1e-14);
   EXPECT_EQ(fault_of(integrator.state().second), "");
@@ -41,8 +42,8 @@ TEST(OrientationHistory, TraceStaysOneThroughAThousandUnitsOfStrain) {
 TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
   // Jeffery's motion is reversible: F after the reversal is the identity.
   OrientationModel model;
-  model.closure = Closure::exact;
-  const GradientHistory history({{2, simple_shear_gradient()}, {4, Mat3(-simple_shear_gradient())}});
+  model.closure = closure_named("exact");
+  const FlowHistory history({{0, {simple_shear_gradient()}}, {2, {-simple_shear_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(4);
@@ -51,8 +52,8 @@ TEST(OrientationHistory, AFlowThatReversesLeadsBackWithoutDiffusion) {
 
 TEST(OrientationHistory, ChangesOfFlowAreMetExactly) {
   OrientationModel model;
-  model.closure = Closure::exact;
-  const GradientHistory history({{0.7, simple_shear_gradient()}, {1.9, uniaxial_elongation_gradient()}});
+  model.closure = closure_named("exact");
+  const FlowHistory history({{0, {simple_shear_gradient()}}, {0.7, {uniaxial_elongation_gradient()}}});
   OrientationIntegrator integrator(OrientationLaw(model), history, {},
                                    {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(1.9);
@@ -63,11 +64,11 @@ TEST(OrientationHistory, ChangesOfFlowAreMetExactly) {
 
 TEST(OrientationHistory, InterpolatedGradientsConverge) {
   // D(t) = t E: the same as E for t²/2, since E commutes with itself.
-  const std::vector<Mat3> gradients = {Mat3::Zero(), planar_elongation_gradient()};
+  const FlowHistory ramp({{0, {}}, {1, {planar_elongation_gradient()}}}, HistoryForm::ramps);
   OrientationModel model;
-  model.closure = Closure::exact;
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::interpolated({0, 1}, gradients, 8),
-                                   {}, {.absolute = 1e-11, .relative = 1e-11});
+  model.closure = closure_named("exact");
+  OrientationIntegrator integrator(OrientationLaw(model), ramp.in_steps(8), {},
+                                   {.absolute = 1e-11, .relative = 1e-11});
   integrator.advance_to(1);
   EXPECT_LT((integrator.state().second -
              carried_isotropic_state(fiber_deformation(planar_elongation_gradient(), 1, 0.5)))
@@ -77,7 +78,7 @@ TEST(OrientationHistory, InterpolatedGradientsConverge) {
 
 double steady_a11(Closure closure) {
   const OrientationLaw law(folgar_tucker(0.01, closure));
-  OrientationIntegrator integrator(law, GradientHistory::constant(simple_shear_gradient()), {});
+  OrientationIntegrator integrator(law, FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(300);
   EXPECT_LT(law.rate(integrator.state().second, simple_shear_gradient()).norm(), 1e-7);
   return integrator.state().second(0, 0);
@@ -87,12 +88,13 @@ TEST(OrientationHistory, FittedClosuresEndWhereTheExactOneDoes) {
   // At C_I = 0.01 the truth is A11 = 0.7271243 (orientation_distribution_test). The closure that is exact
   // without diffusion ends 0.046 above; fits to it and to a wide range of C_I cannot but follow. The hybrid
   // one is 0.16 off.
-  const double exact = steady_a11(Closure::exact);
+  const double exact = steady_a11(closure_named("exact"));
   EXPECT_NEAR(exact, 0.7733, 1e-4);
-  for (const Closure closure : {Closure::ibof, Closure::ore, Closure::orw, Closure::orw3})
+  for (const Closure closure :
+       {closure_named("ibof"), closure_named("ore"), closure_named("orw"), closure_named("orw3")})
     EXPECT_NEAR(steady_a11(closure), exact, 0.005) << name(closure);
-  EXPECT_NEAR(steady_a11(Closure::orf), 0.7271243, 0.03);
-  EXPECT_GT(steady_a11(Closure::hybrid), 0.7271243 + 0.15);
+  EXPECT_NEAR(steady_a11(closure_named("orf")), 0.7271243, 0.03);
+  EXPECT_GT(steady_a11(closure_named("hybrid")), 0.7271243 + 0.15);
 }
 
 TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {
@@ -123,7 +125,7 @@ TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {
   law.advance(points, {.duration = 2, .tolerance = 1e-9});
   for (const std::size_t i : {std::size_t{0}, std::size_t{7}, std::size_t{500}, count - 1}) {
     const Vec6 rate = to_components(law.rate(state_of(i), gradient_of(i)));
-    OrientationIntegrator integrator(law, GradientHistory::constant(gradient_of(i)), {0, state_of(i)},
+    OrientationIntegrator integrator(law, FlowHistory::constant({gradient_of(i)}), {0, state_of(i)},
                                      {.absolute = 1e-12, .relative = 1e-12});
     integrator.advance_to(2);
     const Vec6 after = to_components(integrator.state().second);
@@ -143,11 +145,11 @@ TEST(OrientationHistory, BatchesAgreeWithSinglePoints) {
 
 TEST(OrientationHistory, ImpossibleStartsAndHistoriesAreRefused) {
   const OrientationLaw law(iard_rpr());
-  const GradientHistory shear = GradientHistory::constant(simple_shear_gradient());
+  const FlowHistory shear = FlowHistory::constant({simple_shear_gradient()});
   EXPECT_THROW(OrientationIntegrator(law, shear, {0, Mat3(Vec3(0.7, 0.5, -0.2).asDiagonal())}), InputError);
   EXPECT_THROW(OrientationIntegrator(law, shear, {0, Mat3::Identity()}), InputError);
-  EXPECT_THROW(GradientHistory({}), InputError);
-  EXPECT_THROW(GradientHistory({{1, Mat3::Zero()}, {1, Mat3::Zero()}}), InputError);
+  const FlowHistory ramp({{0, {}}, {1, {simple_shear_gradient()}}}, HistoryForm::ramps);
+  EXPECT_THROW(OrientationIntegrator(law, ramp, {}), InputError);
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ TEST(OrientationInvariance, TurningFlowAndStateTurnsTheRate) {
   // Exact closure: its quadrature keeps 1e-14 of the components, its frame too.
   for (const ClosureDescription& closure : closures()) {
     for (const OrientationModel& model : all_models(closure.closure)) {
-      if (model.retardation == Retardation::srf) continue;  // not objective by its nature; see below
+      if (model.retardation == retardation_named("srf")) continue;  // not objective by its nature; see below
       const OrientationLaw law(model);
       for (const Mat3& state : awkward_states()) {
         const Mat3 rate = law.rate(state, some_gradient());
@@ -77,11 +77,11 @@ TEST(OrientationInvariance, AnAddedSpinOnlyTurnsTheState) {
   Mat3 spin;
   spin << 0, 0.7, -0.4, -0.7, 0, 1.3, 0.4, -1.3, 0;
   const Mat3 state = rotated(Mat3(Vec3(0.6, 0.3, 0.1).asDiagonal()), some_rotation());
-  for (const OrientationModel& model : all_models(Closure::ibof)) {
+  for (const OrientationModel& model : all_models(closure_named("ibof"))) {
     const OrientationLaw law(model);
     const Mat3 added = law.rate(state, some_gradient() + spin) - law.rate(state, some_gradient());
     const Mat3 turning = spin * state - state * spin;
-    if (model.retardation == Retardation::srf) {
+    if (model.retardation == retardation_named("srf")) {
       EXPECT_GT((added - turning).norm(), 0.5) << "srf must not be objective";
     } else {
       EXPECT_LT((added - turning).norm(), 1e-13) << label(model);
@@ -90,7 +90,7 @@ TEST(OrientationInvariance, AnAddedSpinOnlyTurnsTheState) {
 }
 
 TEST(OrientationInvariance, TwiceTheRateHalvesTheTime) {
-  for (const OrientationModel& model : all_models(Closure::ore)) {
+  for (const OrientationModel& model : all_models(closure_named("ore"))) {
     const OrientationLaw law(model);
     for (const Mat3& state : awkward_states()) {
       const Mat3 difference = law.rate(state, 2 * some_gradient()) - 2 * law.rate(state, some_gradient());
@@ -100,7 +100,7 @@ TEST(OrientationInvariance, TwiceTheRateHalvesTheTime) {
 }
 
 TEST(OrientationInvariance, AtRestNothingMoves) {
-  for (const OrientationModel& model : all_models(Closure::ibof)) {
+  for (const OrientationModel& model : all_models(closure_named("ibof"))) {
     for (const Mat3& state : awkward_states())
       EXPECT_EQ(OrientationLaw(model).rate(state, Mat3::Zero()).norm(), 0) << label(model);
     const Mat3 faint = OrientationLaw(model).rate(isotropic, 1e-150 * some_gradient());
@@ -129,19 +129,20 @@ TEST(OrientationInvariance, AnIsotropicStartIsRetardedInTheAxesOfTheStrain) {
   // DA/Dt = 2/5 xi D at an isotropic state, with any closure that is exact there; all of it is eigenvalue
   // rate.
   const Mat3 strain = 0.5 * (some_gradient() + some_gradient().transpose());
-  OrientationModel model{RotaryDiffusion::none, Retardation::rsc, Closure::ibof, {}};
+  OrientationModel model{
+      rotary_diffusion_named("jeffery"), retardation_named("rsc"), closure_named("ibof"), {}};
   model.constants.kappa = 0.1;
   EXPECT_LT((OrientationLaw(model).rate(isotropic, some_gradient()) - 0.1 * 0.4 * strain).norm(), 1e-12);
-  model.retardation = Retardation::rpr;
+  model.retardation = retardation_named("rpr");
   model.constants.kappa = 1;
   model.constants.alpha = 0.9;
   EXPECT_LT((OrientationLaw(model).rate(isotropic, some_gradient()) - 0.1 * 0.4 * strain).norm(), 1e-12);
 }
 
 TEST(OrientationInvariance, AnAxisymmetricFlowKeepsAnAxisymmetricState) {
-  for (const OrientationModel& model : all_models(Closure::ore)) {
+  for (const OrientationModel& model : all_models(closure_named("ore"))) {
     OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant(uniaxial_elongation_gradient()), {});
+                                     FlowHistory::constant({uniaxial_elongation_gradient()}), {});
     integrator.advance_to(3);
     const Mat3 state = integrator.state().second;
     EXPECT_NEAR(state(1, 1), state(2, 2), 1e-12) << label(model);
@@ -151,12 +152,12 @@ TEST(OrientationInvariance, AnAxisymmetricFlowKeepsAnAxisymmetricState) {
 
 TEST(OrientationInvariance, RetardingRatesEqualsReducingStrain) {
   const Mat3 state = rotated(Mat3(Vec3(0.6, 0.3, 0.1).asDiagonal()), some_rotation());
-  OrientationModel rsc{RotaryDiffusion::ard, Retardation::rsc, Closure::orw3, {}};
+  OrientationModel rsc{rotary_diffusion_named("ard"), retardation_named("rsc"), closure_named("orw3"), {}};
   rsc.constants.b1 = 0.002;
   rsc.constants.b3 = 0.02;
   rsc.constants.kappa = 0.2;
   OrientationModel rpr = rsc;
-  rpr.retardation = Retardation::rpr;
+  rpr.retardation = retardation_named("rpr");
   rpr.constants.kappa = 1;
   rpr.constants.alpha = 0.8;
   EXPECT_LT(
@@ -175,7 +176,8 @@ TEST(OrientationInvariance, SlenderFibersAreTheLimitOfLongOnes) {
 }
 
 TEST(OrientationInvariance, IndefiniteDiffusionIsReported) {
-  OrientationModel model{RotaryDiffusion::iard, Retardation::none, Closure::ibof, {}};
+  OrientationModel model{
+      rotary_diffusion_named("iard"), retardation_named("none"), closure_named("ibof"), {}};
   model.constants.c_i = 0.02;
   model.constants.c_m = 0.75;
   EXPECT_TRUE(doubts(model, isotropic, uniaxial_elongation_gradient()).empty());
@@ -186,7 +188,8 @@ TEST(OrientationInvariance, IndefiniteDiffusionIsReported) {
 }
 
 TEST(OrientationInvariance, ImpossibleConstantsAreRefused) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, Retardation::none, Closure::ibof, {}};
+  OrientationModel model{
+      rotary_diffusion_named("folgar_tucker"), retardation_named("none"), closure_named("ibof"), {}};
   model.constants.c_i = -0.01;
   EXPECT_THROW(OrientationLaw{model}, InputError);
   model.constants.c_i = std::nan("");

@@ -6,6 +6,7 @@
 #include "base/constants.hpp"
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
+#include "microstructure/closure.hpp"
 #include "physics/process/reference_table.hpp"
 #include "physics/record.hpp"
 
@@ -34,9 +35,9 @@ TEST(JefferyMotion, PopulationsMatchTheReferenceTable) {
 
 TEST(JefferyMotion, TheExactClosureReproducesThePopulations) {
   OrientationModel model;
-  model.closure = Closure::exact;
+  model.closure = closure_named("exact");
   for (const auto& row : reference_table("jeffery_exact.json")["cases"]) {
-    OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(matrix3(row["L"])), {},
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({matrix3(row["L"])}), {},
                                      {.absolute = 1e-12, .relative = 1e-12});
     for (std::size_t k = 0; k < row["t"].size(); ++k) {
       integrator.advance_to(row["t"][k]);

@@ -5,6 +5,7 @@
 
 #include "continuum/orientation_law.hpp"
 #include "continuum/orientation_registry.hpp"
+#include "microstructure/closure.hpp"
 #include "physics/process/reference_table.hpp"
 
 namespace fiberfate {
@@ -15,25 +16,25 @@ namespace {
 OrientationModel model_of(const nlohmann::json& row) {
   const std::string name = row["model"];
   OrientationModel model;
-  model.closure = row["closure"] == "IBOF" ? Closure::ibof : Closure::ore;
+  model.closure = row["closure"] == "IBOF" ? closure_named("ibof") : closure_named("ore");
   const auto has = [&](const char* key) { return row["params"].contains(key); };
   const auto starts = [&](const char* start) { return name.starts_with(start); };
   if (starts("Jeffery")) {
-    model.diffusion = RotaryDiffusion::none;
+    model.diffusion = rotary_diffusion_named("jeffery");
   } else if (starts("ARD") || starts("WPT")) {
-    model.diffusion = starts("WPT") ? RotaryDiffusion::wpt : RotaryDiffusion::ard;
+    model.diffusion = starts("WPT") ? rotary_diffusion_named("wpt") : rotary_diffusion_named("ard");
   } else if (starts("iARD")) {
-    model.diffusion = RotaryDiffusion::iard;
+    model.diffusion = rotary_diffusion_named("iard");
   } else if (starts("pARD")) {
-    model.diffusion = RotaryDiffusion::pard;
+    model.diffusion = rotary_diffusion_named("pard");
   } else if (starts("MRD")) {
-    model.diffusion = RotaryDiffusion::mrd;
+    model.diffusion = rotary_diffusion_named("mrd");
   } else {
-    model.diffusion = RotaryDiffusion::folgar_tucker;
+    model.diffusion = rotary_diffusion_named("folgar_tucker");
   }
-  if (has("kappa") && !starts("WPT")) model.retardation = Retardation::rsc;
-  if (has("alpha") || name == "FT_RPR") model.retardation = Retardation::rpr;
-  if (has("srf")) model.retardation = Retardation::srf;
+  if (has("kappa") && !starts("WPT")) model.retardation = retardation_named("rsc");
+  if (has("alpha") || name == "FT_RPR") model.retardation = retardation_named("rpr");
+  if (has("srf")) model.retardation = retardation_named("srf");
   set_constant(model, "xi", row["xi"]);
   if (name == "FT_RPR") set_constant(model, "alpha", 0.9);
   const std::pair<const char*, const char*> names[] = {

@@ -8,6 +8,7 @@
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "continuum/principal_axes_steps.hpp"
+#include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
 
 namespace fiberfate {
@@ -20,20 +21,20 @@ Mat3 shear() {
 }
 
 OrientationModel retarded(Retardation retardation, double left) {
-  OrientationModel model{RotaryDiffusion::folgar_tucker, retardation, Closure::ibof, {}};
+  OrientationModel model{rotary_diffusion_named("folgar_tucker"), retardation, closure_named("ibof"), {}};
   model.constants.c_i = 0.0311;
-  if (retardation == Retardation::rsc) model.constants.kappa = left;
-  if (retardation == Retardation::rpr) model.constants.alpha = 1 - left;
+  if (retardation == retardation_named("rsc")) model.constants.kappa = left;
+  if (retardation == retardation_named("rpr")) model.constants.alpha = 1 - left;
   return model;
 }
 
 /// Steady state of Folgar and Tucker's law with IBOF, C_I = 0.0311, shear along y, from an independent
 /// computation. A run to 200/kappa is off by the tolerance of its last steps.
 TEST(SlowRetardation, ReachesTheSteadyStateThatItDoesNotMove) {
-  for (const Retardation retardation : {Retardation::rsc, Retardation::rpr}) {
+  for (const Retardation retardation : {retardation_named("rsc"), retardation_named("rpr")}) {
     for (const double left : {0.1, 0.01, 1e-3}) {
       OrientationIntegrator integrator(OrientationLaw(retarded(retardation, left)),
-                                       GradientHistory::constant(shear()), {}, {1e-10, 1e-10});
+                                       FlowHistory::constant({shear()}), {}, {1e-10, 1e-10});
       integrator.advance_to(200 / left);
       const Mat3& a = integrator.state().second;
       EXPECT_NEAR(a(0, 0), 0.6493761451, 1e-9) << left;
@@ -51,11 +52,11 @@ TEST(SlowRetardation, ReachesTheSteadyStateThatItDoesNotMove) {
 TEST(SlowRetardation, StepsAlongTheAxesAgreeWithExplicitOnes) {
   Mat3 start;
   start << 0.5, 0.05, 0.02, 0.05, 0.3, -0.03, 0.02, -0.03, 0.2;
-  OrientationModel tuned = retarded(Retardation::rpr, 0.3);
+  OrientationModel tuned = retarded(retardation_named("rpr"), 0.3);
   tuned.constants.beta = 0.01;
   for (const OrientationModel& model :
-       {retarded(Retardation::rsc, 0.3), retarded(Retardation::rpr, 0.3), tuned}) {
-    OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(shear()), {0, start},
+       {retarded(retardation_named("rsc"), 0.3), retarded(retardation_named("rpr"), 0.3), tuned}) {
+    OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({shear()}), {0, start},
                                      {1e-12, 1e-12});
     integrator.advance_to(7);
     Mat3 state = start;
@@ -69,7 +70,7 @@ TEST(SlowRetardation, StepsAlongTheAxesAgreeWithExplicitOnes) {
 /// The error falls with the tolerance, from an isotropic start, too: the scheme has no threshold to trip
 /// over.
 TEST(SlowRetardation, ConvergesFromAnIsotropicStart) {
-  const OrientationModel model = retarded(Retardation::rsc, 0.01);
+  const OrientationModel model = retarded(retardation_named("rsc"), 0.01);
   const auto after = [&](double tolerance) {
     Mat3 state = Mat3::Identity() / 3;
     PrincipalAxesSteps steps(model, shear(), tolerance);
@@ -85,9 +86,9 @@ TEST(SlowRetardation, ConvergesFromAnIsotropicStart) {
 /// and the axes are those of D, turned by what the vorticity does in the time in which they follow: kappa
 /// t/(1 + kappa)·W.
 TEST(SlowRetardation, LeavesTheIsotropicStateAlongTheRateOfStrain) {
-  const OrientationModel model = retarded(Retardation::rsc, 1e-3);
+  const OrientationModel model = retarded(retardation_named("rsc"), 1e-3);
   const double duration = 0.5;
-  OrientationIntegrator integrator(OrientationLaw(model), GradientHistory::constant(shear()), {},
+  OrientationIntegrator integrator(OrientationLaw(model), FlowHistory::constant({shear()}), {},
                                    {1e-10, 1e-10});
   integrator.advance_to(duration);
   const Mat3 isotropic = Mat3::Identity() / 3;
@@ -100,7 +101,7 @@ TEST(SlowRetardation, LeavesTheIsotropicStateAlongTheRateOfStrain) {
 /// Batches, as solvers for molds call them, with the default tolerance.
 TEST(SlowRetardation, BatchesGetThroughFromIsotropicPoints) {
   constexpr std::size_t count = 11;
-  const OrientationModel model = retarded(Retardation::rpr, 0.01);
+  const OrientationModel model = retarded(retardation_named("rpr"), 0.01);
   std::vector<double> second(6 * count, 0.0), gradient(9 * count, 0.0);
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t m = 0; m < 3; ++m) second[6 * i + m] = 1.0 / 3;
@@ -115,7 +116,7 @@ TEST(SlowRetardation, BatchesGetThroughFromIsotropicPoints) {
   OrientationLaw(model).advance(points, {.duration = 10, .tolerance = 1e-8});
   for (std::size_t i = 0; i < count; ++i) {
     OrientationIntegrator integrator(OrientationLaw(model),
-                                     GradientHistory::constant((1 + static_cast<double>(i)) * shear()), {},
+                                     FlowHistory::constant({(1 + static_cast<double>(i)) * shear()}), {},
                                      {1e-11, 1e-11});
     integrator.advance_to(10);
     EXPECT_NEAR(second[6 * i], integrator.state().second(0, 0), 1e-5) << i;

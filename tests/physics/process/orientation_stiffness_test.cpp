@@ -13,8 +13,8 @@ namespace fiberfate {
 namespace {
 
 Homogenisation model_of(const std::string& name) {
-  if (name == "halpin") return Homogenisation::halpin_tsai;
-  return name == "mori" ? Homogenisation::mori_tanaka : Homogenisation::lielens;
+  if (name == "halpin") return homogenisation_named("halpin_tsai");
+  return name == "mori" ? homogenisation_named("mori_tanaka") : homogenisation_named("lielens");
 }
 
 CompositeMaterial material_of(const nlohmann::json& inputs, double fraction) {
@@ -82,18 +82,18 @@ TEST(Stiffness, EshelbyTensorIsSmoothThroughTheSphere) {
 
 TEST(Stiffness, AlignedFibersAverageToThemselves) {
   const CompositeMaterial glass_in_pp{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.2};
-  for (const Homogenisation model :
-       {Homogenisation::halpin_tsai, Homogenisation::mori_tanaka, Homogenisation::lielens}) {
+  for (const Homogenisation model : {homogenisation_named("halpin_tsai"), homogenisation_named("mori_tanaka"),
+                                     homogenisation_named("lielens")}) {
     const auto aligned = aligned_composite(glass_in_pp, 50, model);
     const Mat3 along = Vec3(1, 0, 0).asDiagonal();
-    const auto average = orientation_average(aligned, close(along, Closure::quadratic), along);
+    const auto average = orientation_average(aligned, close(along, closure_named("quadratic")), along);
     EXPECT_LT((average.stiffness - aligned.stiffness).cwiseAbs().maxCoeff(), 1e-12 * aligned.stiffness(0, 0));
   }
 }
 
 TEST(Stiffness, NoFibersLeaveTheMatrixAndOnlyFibersTheFiber) {
   CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0};
-  for (const Homogenisation model : {Homogenisation::mori_tanaka, Homogenisation::lielens}) {
+  for (const Homogenisation model : {homogenisation_named("mori_tanaka"), homogenisation_named("lielens")}) {
     material.volume_fraction = 0;
     const auto none = aligned_composite(material, 20, model);
     EXPECT_LT((none.stiffness - isotropic_stiffness(material.matrix)).norm(), 1e-12 * none.stiffness.norm());
@@ -106,31 +106,32 @@ TEST(Stiffness, NoFibersLeaveTheMatrixAndOnlyFibersTheFiber) {
 
 TEST(Stiffness, RealMaterialsStoreEnergy) {
   const CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.35};
-  EXPECT_TRUE(stores_energy(aligned_composite(material, 20, Homogenisation::mori_tanaka).stiffness));
+  EXPECT_TRUE(stores_energy(aligned_composite(material, 20, homogenisation_named("mori_tanaka")).stiffness));
   // Halpin and Tsai's transverse constants contradict each other for spheres at this content.
-  EXPECT_FALSE(stores_energy(aligned_composite(material, 1, Homogenisation::halpin_tsai).stiffness));
+  EXPECT_FALSE(stores_energy(aligned_composite(material, 1, homogenisation_named("halpin_tsai")).stiffness));
 }
 
 TEST(Stiffness, LengthAverageOfOneClassIsThatClass) {
   const CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.2};
   const AspectRatioClass one[] = {{30, 2.5}};
   const AspectRatioClass two[] = {{30, 1}, {300, 3}};
-  const auto single = aligned_composite(material, 30, Homogenisation::mori_tanaka);
-  const auto longer = aligned_composite(material, 300, Homogenisation::mori_tanaka);
-  EXPECT_LT((length_average(material, one, Homogenisation::mori_tanaka).stiffness - single.stiffness).norm(),
+  const auto single = aligned_composite(material, 30, homogenisation_named("mori_tanaka"));
+  const auto longer = aligned_composite(material, 300, homogenisation_named("mori_tanaka"));
+  EXPECT_LT((length_average(material, one, homogenisation_named("mori_tanaka")).stiffness - single.stiffness)
+                .norm(),
             1e-14 * single.stiffness.norm());
   const Mat6 mixed = 0.25 * single.stiffness + 0.75 * longer.stiffness;
-  EXPECT_LT((length_average(material, two, Homogenisation::mori_tanaka).stiffness - mixed).norm(),
+  EXPECT_LT((length_average(material, two, homogenisation_named("mori_tanaka")).stiffness - mixed).norm(),
             1e-14 * mixed.norm());
 }
 
 TEST(Stiffness, ImpossibleMaterialsAreRefused) {
   CompositeMaterial material{{73e9, 0.22}, {1.5e9, 0.5}, 5e-6, 1e-4, 0.2};
-  EXPECT_THROW((void)aligned_composite(material, 20, Homogenisation::mori_tanaka), InputError);
+  EXPECT_THROW((void)aligned_composite(material, 20, homogenisation_named("mori_tanaka")), InputError);
   material.matrix.poisson = 0.4;
-  EXPECT_THROW((void)aligned_composite(material, 0, Homogenisation::mori_tanaka), InputError);
+  EXPECT_THROW((void)aligned_composite(material, 0, homogenisation_named("mori_tanaka")), InputError);
   material.volume_fraction = 1.2;
-  EXPECT_THROW((void)aligned_composite(material, 20, Homogenisation::mori_tanaka), InputError);
+  EXPECT_THROW((void)aligned_composite(material, 20, homogenisation_named("mori_tanaka")), InputError);
 }
 
 }  // namespace

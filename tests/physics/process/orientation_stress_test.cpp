@@ -25,7 +25,7 @@ TEST(FiberStress, AlignedFibersRaiseTheElongationalStressOnly) {
 }
 
 TEST(FiberStress, RandomFibersAddTwoFifteenthsInEveryFlow) {
-  const Mat6 random = close(Mat3::Identity() / 3, Closure::linear);
+  const Mat6 random = close(Mat3::Identity() / 3, closure_named("linear"));
   for (const Mat3& gradient :
        {simple_shear_gradient(), uniaxial_elongation_gradient(), planar_elongation_gradient()}) {
     const Mat3 strain = 0.5 * (gradient + gradient.transpose());
@@ -46,7 +46,7 @@ TEST(FiberStress, ViscosityIsFiniteAtRest) {
 TEST(FiberStress, InformedViscosityDissipatesAsTheFibersDo) {
   // tau:D is the same for the tensor and the scalar with R = phi N_p: that is how (2.11) is informed.
   const Mat3 state = Vec3(0.6, 0.3, 0.1).asDiagonal();
-  const Mat6 fourth = close(state, Closure::ore);
+  const Mat6 fourth = close(state, closure_named("ore"));
   Mat3 strain;
   strain << 0.4, 0.2, -0.3, 0.2, 0.1, 0.5, -0.3, 0.5, -0.5;
   const double dissipated = double_dot(anisotropic_stress(100, 7, strain, fourth), strain);

@@ -18,14 +18,14 @@ namespace {
 /// A Couette run at one speed, L_N and L_W measured at several times, which reach both the decay and the
 /// final length: where one is not observed, no interval is right.
 struct Run {
-  LengthHistory history;
+  FlowHistory history;
   std::vector<double> times;
 };
 
 const std::vector<Run>& runs() {
-  static const std::vector<Run> all = {{LengthHistory::constant({20, 0, 0}), {5, 10, 20, 40, 80, 150}},
-                                       {LengthHistory::constant({40, 0, 0}), {2, 5, 10, 20, 40, 80}},
-                                       {LengthHistory::constant({80, 0, 0}), {1, 2, 5, 10, 20, 40}}};
+  static const std::vector<Run> all = {{FlowHistory::constant(simple_shear(20)), {5, 10, 20, 40, 80, 150}},
+                                       {FlowHistory::constant(simple_shear(40)), {2, 5, 10, 20, 40, 80}},
+                                       {FlowHistory::constant(simple_shear(80)), {1, 2, 5, 10, 20, 40}}};
   return all;
 }
 
@@ -57,7 +57,7 @@ void predict_orientation(const OrientationModel& model, std::vector<double>& com
   for (const Mat3& gradient :
        {simple_shear_gradient(), planar_elongation_gradient(), uniaxial_elongation_gradient()}) {
     const Mat3 start = Vec3(0.36, 0.33, 0.31).asDiagonal();
-    OrientationIntegrator integrator(law, GradientHistory::constant(gradient), {0, start}, {1e-9, 1e-9});
+    OrientationIntegrator integrator(law, FlowHistory::constant({gradient}), {0, start}, {1e-9, 1e-9});
     for (const double time : {1.0, 2.0, 4.0, 7.0, 12.0}) {
       integrator.advance_to(time);
       const Mat3& second = integrator.state().second;

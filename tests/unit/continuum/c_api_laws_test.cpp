@@ -109,7 +109,7 @@ TEST(CApiLaws, ViscosityStressAndStiffness) {
   ASSERT_EQ(
       fiberfate_fiber_stress("ore", 3, 1, state.data(), gradient.data(), &viscosities[1], stress.data()),
       FIBERFATE_OK);
-  const Mat6 fourth = close(second(), Closure::ore);
+  const Mat6 fourth = close(second(), closure_named("ore"));
   EXPECT_EQ(stress[5], anisotropic_stress(viscosities[1], 3, strain(), fourth)(0, 1));
   ASSERT_EQ(fiberfate_informed_viscosity("ore", 5, 1, state.data(), gradient.data(), &viscosities[1],
                                          effective.data()),
@@ -128,8 +128,8 @@ TEST(CApiLaws, ViscosityStressAndStiffness) {
       << fiberfate_error_text();
   const CompositeMaterial material = {{73e9, 0.22}, {1.5e9, 0.4}, 5e-6, 1e-4, 0.2};
   const std::vector<AspectRatioClass> classes = {{10, 1}, {50, 3}};
-  const ThermoelasticProperties properties =
-      orientation_average(length_average(material, classes, Homogenisation::mori_tanaka), fourth, second());
+  const ThermoelasticProperties properties = orientation_average(
+      length_average(material, classes, homogenisation_named("mori_tanaka")), fourth, second());
   for (std::size_t k = 0; k < 36; ++k)
     EXPECT_EQ(stiffness[k], properties.stiffness(static_cast<int>(k) / 6, static_cast<int>(k) % 6));
   EXPECT_EQ(expansion[0], thermal_expansion(properties)(0, 0));

@@ -231,25 +231,24 @@ TEST(ImpossibleInput, MeltsOfImpossibleStatesAreRefused) {
 }
 
 TEST(ImpossibleInput, HistoriesRefuseWhatNoClockShows) {
-  const LengthHistory history = LengthHistory::constant({10, 0, 0});
+  const FlowHistory history = FlowHistory::constant(simple_shear(10));
   EXPECT_NE(refusal([&] { static_cast<void>(history.parts(2, 1)); }), "");
   EXPECT_NE(refusal([&] { static_cast<void>(history.parts(0, nan_value)); }), "");
-  EXPECT_NE(refusal([&] { LengthHistory({{0, infinity, 0, 0}}, HistoryForm::steps); }), "");
-  OrientationIntegrator integrator(some_law(), GradientHistory::constant(simple_shear_gradient()), {});
+  EXPECT_NE(refusal([&] { FlowHistory({{0, simple_shear(infinity)}}); }), "");
+  OrientationIntegrator integrator(some_law(), FlowHistory::constant({simple_shear_gradient()}), {});
   integrator.advance_to(1);
   for (const double bad : {0.5, nan_value, infinity})
     EXPECT_NE(refusal([&] { integrator.advance_to(bad); }), "") << bad;
-  EXPECT_NE(
-      refusal([&] {
-        OrientationIntegrator(some_law(), GradientHistory::constant(simple_shear_gradient()), {}, {0, 0});
-      }),
-      "");
+  EXPECT_NE(refusal([&] {
+              OrientationIntegrator(some_law(), FlowHistory::constant({simple_shear_gradient()}), {}, {0, 0});
+            }),
+            "");
 }
 
 TEST(ImpossibleInput, SingleFormulasRefuseIt) {
   const Mat3 bad = Mat3::Constant(nan_value),
              strain = 0.5 * (simple_shear_gradient() + simple_shear_gradient().transpose());
-  const Mat6 fourth = close(Mat3::Identity() / 3, Closure::linear);
+  const Mat6 fourth = close(Mat3::Identity() / 3, closure_named("linear"));
   const std::vector<std::function<void()>> calls = {
       [&] { static_cast<void>(some_law().rate(Mat3::Identity(), simple_shear_gradient())); },
       [&] { static_cast<void>(some_law().rate(Mat3::Identity() / 3, bad)); },

@@ -95,8 +95,8 @@ TEST(Admissibility, NamesWhatIsWrong) {
   Mat3 skew = some_tensor();
   skew(0, 1) += 0.1;
   EXPECT_NE(fault_of(skew).find("symmetric"), std::string::npos);
-  EXPECT_EQ(fault_of(close(some_tensor(), Closure::exact), some_tensor()), "");
-  EXPECT_NE(fault_of(close(some_tensor(), Closure::quadratic), some_tensor()).find("all indices"),
+  EXPECT_EQ(fault_of(close(some_tensor(), closure_named("exact")), some_tensor()), "");
+  EXPECT_NE(fault_of(close(some_tensor(), closure_named("quadratic")), some_tensor()).find("all indices"),
             std::string::npos);
 }
 

@@ -1,49 +1,14 @@
-// Tests histories of the flow and the rates of a Couette rheometer.
-#include "continuum/length_history.hpp"
+// Tests the rates of a Couette rheometer.
+#include "continuum/couette_rheometer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
-#include "continuum/couette_rheometer.hpp"
-#include "continuum/viscosity_newtonian.hpp"
-#include "continuum/viscosity_power_law.hpp"
 
 namespace fiberfate {
 namespace {
-
-TEST(LengthHistoryTest, HoldsStepsUntilTheNextRow) {
-  const LengthHistory history({{0, 10, 500, 0}, {2, 30, 520, 1e6}}, HistoryForm::steps);
-  EXPECT_EQ(history.at(1.999).rate, 10);
-  EXPECT_EQ(history.at(2).rate, 30);
-  EXPECT_EQ(history.at(1e9).temperature, 520);
-  const auto parts = history.parts(1, 7);
-  ASSERT_EQ(parts.size(), 2U);
-  EXPECT_EQ(parts[0].duration, 1);
-  EXPECT_EQ(parts[1].duration, 5);
-  EXPECT_EQ(parts[1].melt.pressure, 1e6);
-}
-
-TEST(LengthHistoryTest, CutsRampsFinely) {
-  const LengthHistory history({{0, 0, 400, 0}, {2, 10, 500, 0}}, HistoryForm::ramps);
-  EXPECT_EQ(history.at(0.5).rate, 2.5);
-  EXPECT_EQ(history.at(0.5).temperature, 425);
-  double time = 0, strain = 0;
-  for (const LengthHistoryPart& part : history.parts(0.3, 5)) {
-    time += part.duration;
-    strain += part.duration * part.melt.rate;
-  }
-  EXPECT_NEAR(time, 4.7, 1e-14);
-  EXPECT_NEAR(strain, 10 - 2.5 * 0.09 + 30, 1e-12);
-}
-
-TEST(LengthHistoryTest, RefusesDisorder) {
-  EXPECT_THROW(LengthHistory({}, HistoryForm::steps), InputError);
-  EXPECT_THROW(LengthHistory({{1, 1, 1, 0}}, HistoryForm::steps), InputError);
-  EXPECT_THROW(LengthHistory({{0, 1, 1, 0}, {0, 1, 1, 0}}, HistoryForm::steps), InputError);
-  EXPECT_THROW(LengthHistory({{0, -1, 1, 0}}, HistoryForm::steps), InputError);
-}
 
 TEST(CouetteRheometerTest, AllRatesAgreeInANarrowGap) {
   for (const CouetteRate choice : {CouetteRate::inner_wall, CouetteRate::outer_wall, CouetteRate::mean})
