@@ -20,6 +20,9 @@ enum class OrientationFlow { shear, planar, uniaxial, biaxial, mixed, gradient, 
 /// Whether the distribution function is solved beside the tensor equation.
 enum class DistributionChoice { no, yes };
 
+/// Whether the steady state is found beside the run.
+enum class SteadyChoice { no, yes };
+
 /// What happens between the rows of a table of gradients.
 enum class GradientForm { steps, ramps };
 
@@ -52,6 +55,7 @@ struct OrientationSolutionChoices {
   std::string closure = "ibof";
   double tolerance = 1e-8;
   DistributionChoice distribution = DistributionChoice::no;
+  SteadyChoice steady = SteadyChoice::no;
   std::int64_t degree = 40;
 };
 
