@@ -1,7 +1,7 @@
 /* Calls the point laws of fiberfate from C, one by one: closure, steady state, lengths, breakage, viscosity, stress,
  * stiffness and the distribution of directions.
  *
- * Build: cc point_laws.c -lfiberfate_continuum -lfiberfate_microstructure -lfiberfate_base -lfmt -lgomp -lstdc++ -lm */
+ * Build: cc point_laws.c $(pkg-config --cflags --libs fiberfate) -lm */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

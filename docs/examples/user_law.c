@@ -1,7 +1,7 @@
 /* Shows how another solver's user-defined fiber function calls fiberfate: it follows the fibers of three points of a
  * cavity, near the wall, between and in the core, through half a second of filling.
  *
- * Build: cc user_law.c -lfiberfate_continuum -lfiberfate_microstructure -lfiberfate_base -lfmt -lgomp -lstdc++ -lm */
+ * Build: cc user_law.c $(pkg-config --cflags --libs fiberfate) -lm */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

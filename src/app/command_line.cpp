@@ -21,6 +21,7 @@
 #include "app/command_resume.hpp"
 #include "app/command_run.hpp"
 #include "app/environment.hpp"
+#include "app/exit_status.hpp"
 #include "app/gallery.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -168,11 +169,17 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   CLI::App* run = app.add_subcommand("run", "Run a case into a result folder");
   run->footer(
       "Examples:\n  fiberfate run case.toml\n"
-      "  fiberfate run case.toml --out results/fast --set flow.rate=\"100 1/s\" --until \"0.5 s\"");
+      "  fiberfate run case.toml --out results/fast --set flow.rate=\"100 1/s\" --until \"0.5 s\"\n"
+      "  fiberfate run case.toml --sweep diffusion.C_I=0.001,0.01,0.1 --sweep solution.closure=ibof,orf");
   run->add_option("case", commands.run.case_file, "The case file")->required()->type_name("CASE.toml");
   run->add_option("--out", commands.run.out, "The result folder")->type_name("DIR");
   add_limits(*run, commands.run, commands.run_until);
   add_changes(*run, commands.run.changes);
+  run->add_option("--sweep", commands.run.sweep,
+                  "Run the case once for each value of a key, each into a folder below DIR, and set their "
+                  "summaries side by side in DIR/sweep.csv; given more than once: every combination")
+      ->type_name("KEY=VALUE,VALUE")
+      ->allow_extra_args(false);
   add_overwrite(*run, commands.run.existing, "a result");
   run->callback([&commands] {
     if (!commands.run_until.empty()) commands.run.session.until = time_to_stop(commands.run_until);

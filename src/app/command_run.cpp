@@ -2,6 +2,7 @@
 #include "app/command_run.hpp"
 
 #include "app/run_study.hpp"
+#include "app/run_sweep.hpp"
 #include "app/study_registry.hpp"
 
 #include <cstdio>
@@ -26,11 +27,12 @@ std::string default_folder(const std::string& case_file) {
 }  // namespace
 
 int run_run(const RunOptions& options) {
+  const std::string named = options.out.empty() ? default_folder(options.case_file) : options.out;
+  if (!options.sweep.empty()) return run_sweep(options, named + (options.out.empty() ? "_sweep" : ""));
   const LoadedCase loaded = load_case(options.case_file, case_kinds(), options.changes);
   for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   check_options(study_of(loaded), options.session);
-  const std::string path = options.out.empty() ? default_folder(options.case_file) : options.out;
-  OwnedFolder folder = OwnedFolder::create(path, options.existing);
+  OwnedFolder folder = OwnedFolder::create(named, options.existing);
   folder.write_case(resolved_case(*loaded.kind, loaded.values));
   return run_study(loaded, options, std::move(folder), Begin::anew);
 }

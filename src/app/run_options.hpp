@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/progress.hpp"
 #include "keys/case_file.hpp"
@@ -15,6 +16,7 @@ struct RunOptions {
   std::string out;        ///< result folder; empty: named after the case file
   SessionOptions session;
   CaseChanges changes;
+  std::vector<std::string> sweep = {};  ///< "key=value,value"; empty: one run
   ProgressKind progress = ProgressKind::automatic;
   Existing existing = Existing::refuse;
 };

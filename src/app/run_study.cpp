@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "app/exit_status.hpp"
 #include "app/signals.hpp"
 #include "app/study_registry.hpp"
 #include "base/error.hpp"
@@ -12,8 +13,6 @@
 
 namespace fiberfate {
 namespace {
-
-constexpr int stopped_by_signal = 4;
 
 /// Writes what the study computes and tells why it ended.
 StopReason compute_into(OwnedFolder& folder, const LoadedCase& loaded, Session& session) {
@@ -70,7 +69,7 @@ int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder f
   Session session(recorder, options.session, std::move(calls), begin);
   const StopReason reason = compute_into(folder, loaded, session);
   fmt::print("{}: result in {}\n", name(reason), folder.folder().path());
-  return reason == StopReason::signal ? stopped_by_signal : 0;
+  return static_cast<int>(reason == StopReason::signal ? ExitStatus::stopped : ExitStatus::done);
 }
 
 }  // namespace fiberfate

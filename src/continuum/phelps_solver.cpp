@@ -275,14 +275,17 @@ void PhelpsSolver::advance(const LengthFlows& flows, double duration, std::span<
   require_numbers("numbers", numbers, not_negative);
   std::atomic<bool> arrived = true;
   const auto blocks = static_cast<std::ptrdiff_t>((points + lanes - 1) / lanes);
-#pragma omp parallel if (blocks > 1)
-  {
+  const std::ptrdiff_t shares = std::min<std::ptrdiff_t>(blocks, thread_count());
+  const auto advance_share = [&](std::ptrdiff_t share) {
     Scratch scratch(padded_bins_);
-#pragma omp for schedule(static)
-    for (std::ptrdiff_t block = 0; block < blocks; ++block)
+    for (std::ptrdiff_t block = blocks * share / shares; block < blocks * (share + 1) / shares; ++block)
       if (!advance_block(flows, duration, static_cast<std::size_t>(block) * lanes, numbers, scratch))
         arrived = false;
-  }
+  };
+  if (shares > 1)
+    parallel_for(shares, advance_share);
+  else if (shares == 1)
+    advance_share(0);
   if (!arrived)
     throw SimulationFailure(
         fmt::format(

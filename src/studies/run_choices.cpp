@@ -30,28 +30,59 @@ KeyRow<RunChoices> threads_key() {
              "Threads; 0 for as many as the machine has.");
 }
 
-KeyRow<SeriesChoices> interval_key() {
-  return key("interval", &SeriesChoices::interval, {"s"}, Range::positive(),
-             "Time between rows of series.csv; not given: a 200th of the duration.");
+KeyRows<SeriesChoices> series_rows() {
+  return {
+      key("interval", &SeriesChoices::interval, {"s"}, Range::positive(),
+          "Simulated time between rows of series.csv; not given: a 200th of the duration, or only rows at "
+          "output.times.",
+          optional("\"0.05 s\"")),
+      key("times", &SeriesChoices::times, {"s"}, Range::not_negative(),
+          "Simulated times of rows of series.csv, besides the start, the end and those of "
+          "output.interval.",
+          optional("[\"1 s\", \"5 s\"]"))};
 }
 
 void validate_series(const RunChoices& run, const SeriesChoices& series, CaseChecker& checker) {
+  if (run.duration <= 0) return;
+  validate_times("output.times", series.times, run, checker);
   if (!series.interval || run.duration / *series.interval <= most_rows) return;
-  checker.error("output.interval", fmt::format("makes {:.3g} rows", run.duration / *series.interval),
-                fmt::format("give at least {:.3g} s", run.duration / most_rows));
+  checker.error(
+      "output.interval",
+      fmt::format("makes {:.3g} rows in {}", run.duration / *series.interval, checker.cite("run.duration")),
+      fmt::format("give at least {:.3g} s", run.duration / most_rows));
+}
+
+void validate_times(const std::string& key, std::span<const double> times, const RunChoices& run,
+                    CaseChecker& checker) {
+  const auto late = std::ranges::find_if(times, [&run](double time) { return time > run.duration; });
+  if (run.duration > 0 && late != times.end())
+    checker.error(key, fmt::format("{:.6g} s comes after the end, {}", *late, checker.cite("run.duration")),
+                  "give times up to run.duration");
+}
+
+double series_interval(const RunChoices& run, const SeriesChoices& series) {
+  return series.interval.value_or(series.times.empty() ? run.duration / default_rows : run.duration);
 }
 
 std::vector<double> series_times(const RunChoices& run, const SeriesChoices& series,
                                  std::vector<double> others) {
-  const double interval = series.interval.value_or(run.duration / default_rows);
+  const double interval = series_interval(run, series), oneness = 1e-9 * interval;
+  // What is chosen counts to the last bit; a multiple of the interval that round-off parts from it is the
+  // same.
   std::vector<double> times = std::move(others);
-  const double count = std::floor(run.duration / interval * (1 + 1e-12));
-  for (double i = 0; i <= count; ++i) times.push_back(std::min(i * interval, run.duration));
+  times.insert(times.end(), series.times.begin(), series.times.end());
   times.push_back(run.duration);
-  std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end(),
-                          [interval](double a, double b) { return b - a < 1e-9 * interval; }),
-              times.end());
+  std::ranges::sort(times);
+  const auto chosen = static_cast<std::ptrdiff_t>(times.size());
+  const double count = std::floor(run.duration / interval * (1 + 1e-12));
+  for (double i = 0; i <= count; ++i) {
+    const double time = i * interval;
+    const auto end = times.begin() + chosen, next = std::lower_bound(times.begin(), end, time - oneness);
+    if (next == end || *next > time + oneness) times.push_back(time);
+  }
+  std::ranges::sort(times);
+  const auto repeated = std::ranges::unique(times);
+  times.erase(repeated.begin(), repeated.end());
   return times;
 }
 

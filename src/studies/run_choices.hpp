@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "keys/case_checker.hpp"
@@ -22,16 +24,24 @@ struct RunChoices {
 [[nodiscard]] KeyRow<RunChoices> seed_key();
 [[nodiscard]] KeyRow<RunChoices> threads_key();
 
-/// [output] of a study whose rows of series.csv come at even times.
+/// [output] of a study whose rows of series.csv come at times of its choice.
 struct SeriesChoices {
-  std::optional<double> interval;  ///< s; not given: a 200th of the duration
+  std::optional<double>
+      interval;               ///< s; not given: a 200th of the duration, or only `times` where it has some
+  std::vector<double> times;  ///< s
 };
 
-[[nodiscard]] KeyRow<SeriesChoices> interval_key();
-/// Finds an interval that makes too many rows.
+/// The keys `interval` and `times`.
+[[nodiscard]] KeyRows<SeriesChoices> series_rows();
+/// Finds an interval that makes too many rows, and times after the end.
 void validate_series(const RunChoices& run, const SeriesChoices& series, CaseChecker& checker);
-/// Lists the times of series.csv, rising, s: multiples of the interval, the end, and the others that are
-/// asked for.
+/// Finds a time of a key that comes after the end of the run.
+void validate_times(const std::string& key, std::span<const double> times, const RunChoices& run,
+                    CaseChecker& checker);
+/// The time between rows that come at even times, s; the duration where rows come at chosen times only.
+[[nodiscard]] double series_interval(const RunChoices& run, const SeriesChoices& series);
+/// Lists the times of series.csv, rising, s: multiples of the interval, those chosen, the end, and the others
+/// that are asked for.
 [[nodiscard]] std::vector<double> series_times(const RunChoices& run, const SeriesChoices& series,
                                                std::vector<double> others = {});
 

@@ -182,3 +182,15 @@ def test_reports_are_written(tmp_path, name):
     run("report", folder)
     assert (folder / "report.html").stat().st_size > 10000
     run("check", folder / "case.resolved.toml")
+
+
+def test_rows_and_histograms_stand_at_the_times_that_are_chosen(tmp_path):
+    times = ["--set", 'output.times=["1 s", "40 s"]', "--set", 'output.histogram_times=["0.9 s"]', "--set",
+             "fibers.form=distribution", "--set", "run.duration=60 s"]
+    folder, _, _ = result_of(tmp_path, "20_couette_length", *times, "--set", "output.interval=0.3 s")
+    # 3 · 0.3 is not 0.9: the histogram counts at the time that was asked for.
+    assert column(folder, "time_s", "histogram.csv")[0] == 0.9
+    assert {0.9, 1, 40, 60} <= set(column(folder, "time_s")) and len(column(folder, "time_s")) == 203
+    alone = CASES / "20_couette_length" / "case.toml"
+    refused = run("check", alone, "--set", 'output.times=["1 h"]', expect=2)
+    assert "comes after the end" in refused.stderr

@@ -171,3 +171,62 @@ def test_a_new_case_runs(tmp_path):
     _, values = result_of(tmp_path, tmp_path / "fresh" / "case.toml")
     assert values["diffusion"] == "folgar_tucker" and values["C_I"] == 0.01
     assert values["A2"][0][0] == pytest.approx(0.7769, abs=1e-3)
+
+
+def test_the_state_that_the_case_gives_has_a4_and_its_rate(tmp_path):
+    folgar_tucker = IARD.format(c_m=0, kind="shear").replace("iard", "folgar_tucker").replace("C_M = 0\n", "")
+    case = written(tmp_path, folgar_tucker + '[fibers]\norientation = [0.6, 0.3, 0.1]\n[solution]\nclosure = "linear"\n')
+    _, values = result_of(tmp_path, case)
+    a = [0.6, 0.3, 0.1]
+    assert values["A2_start"] == [[0.6, 0, 0], [0, 0.3, 0], [0, 0, 0.1]]
+    # The linear closure, A_ijkl = -(d_ij d_kl + ...)/35 + (a_ij d_kl + ...)/7, by hand.
+    assert values["A4_start"][0] == pytest.approx(-3 / 35 + 6 * a[0] / 7)
+    assert values["A4_start"][1] == pytest.approx(-1 / 35 + (a[0] + a[1]) / 7)
+    assert values["A4_start"][35] == pytest.approx(values["A4_start"][1])
+    # DA/Dt in shear dv_1/dx_2 = 1: 12 is a22 - 2 a1212; 11 is 2 C_I (1 - 3 a11).
+    rate = values["A2_rate_start_per_s"]
+    assert rate[0][1] == pytest.approx(a[1] - values["A4_start"][35])
+    assert rate[0][0] == pytest.approx(2 * 0.02 * (1 - 3 * a[0]))
+    norm = math.sqrt(sum(one * one for row in values["A2_rate_per_s"] for one in row))
+    assert norm == pytest.approx(values["final_rate_per_s"])
+    assert len(values["A4"]) == 36
+
+
+@pytest.mark.parametrize("closure", ["ibof", "orf", "exact"])
+def test_a_short_run_finds_the_steady_state_of_a_long_one(tmp_path, closure):
+    words = ("--set", "diffusion.name=iard", "--set", "diffusion.C_M=0.3", "--set", f"solution.closure={closure}",
+             "--set", "solution.distribution=no")
+    case = CASES / "10_orientation_shear" / "case.toml"
+    _, long = result_of(tmp_path / "long", case, *words, "--set", "run.duration=300 s")
+    _, short = result_of(tmp_path / "short", case, *words, "--set", "run.duration=1 ms", "--set", "solution.steady=yes")
+    assert short["steady"] == "found" and short["steady_decay_per_s"] > 0
+    for found, followed in zip(short["steady_A2"], long["A2"], strict=True):
+        assert found == pytest.approx(followed, abs=1e-6)
+    assert short["steady_A4"] == pytest.approx(long["A4"], abs=1e-6)
+
+
+def test_the_steady_distribution_is_found_beside(tmp_path):
+    folder, values = result_of(tmp_path, CASES / "10_orientation_shear" / "case.toml", "--set", "solution.steady=yes",
+                               "--set", "run.duration=1 s")
+    assert values["steady_distribution_A2"][0][0] == pytest.approx(0.7271243, abs=1e-6)
+    assert values["steady_A2"][0][0] == pytest.approx(0.77691, abs=1e-4)
+    run("report", folder)
+    assert "Steady orientation" in (folder / "report.html").read_text(encoding="utf-8")
+
+
+def test_where_there_is_no_steady_state_the_run_says_why(tmp_path):
+    case = written(tmp_path, IARD.format(c_m=0.5, kind="shear"))
+    _, values = result_of(tmp_path, case, "--set", "diffusion.C_I=0", "--set", "solution.steady=yes")
+    assert values["steady"].startswith("there is no steady orientation") and "steady_A2" not in values
+    refused = run("check", case, "--set", "flow.rate=0", "--set", "solution.steady=yes", expect=2)
+    assert "solution.steady = yes: nothing deforms" in refused.stderr.replace('"', "")
+
+
+def test_rows_stand_at_the_times_that_are_chosen(tmp_path):
+    case = written(tmp_path, IARD.format(c_m=0.5, kind="shear"))
+    folder, _ = result_of(tmp_path, case, "--set", 'output.times=["100 ms", "3 s"]')
+    assert column(folder, "time_s") == [0, 0.1, 3, 5]
+    folder, _ = result_of(tmp_path / "both", case, "--set", 'output.times=["100 ms"]', "--set", "output.interval=2 s")
+    assert column(folder, "time_s") == [0, 0.1, 2, 4, 5]
+    refused = run("check", case, "--set", 'output.times=["6 s"]', expect=2)
+    assert "output.times" in refused.stderr and "6 s comes after the end, run.duration" in refused.stderr

@@ -79,6 +79,17 @@ def test_rows_stand_at_their_exact_times(result):
     assert numpy.allclose(column(result, "strain"), 200 * times, rtol=1e-12, atol=0)
 
 
+def test_rows_stand_at_the_times_that_are_chosen(tmp_path):
+    case = write_case(tmp_path, CASE.replace('interval = "1 ms"\nframe', 'times = ["3.3 ms", "12 ms"]\nframe'))
+    run("run", case, "--out", tmp_path / "chosen")
+    assert column(tmp_path / "chosen", "time_s") == [0, 3.3e-3, 12e-3, 20e-3]
+    run("run", case, "--out", tmp_path / "halves", "--until", "8 ms")
+    run("resume", tmp_path / "halves")
+    assert column(tmp_path / "halves", "time_s") == [0, 3.3e-3, 8e-3, 12e-3, 20e-3]
+    run("run", case, "--out", tmp_path / "both", "--set", "output.interval=10 ms")
+    assert column(tmp_path / "both", "time_s") == [0, 3.3e-3, 10e-3, 12e-3, 20e-3]
+
+
 def test_frames_hold_what_the_series_says(result):
     with h5py.File(result / "result.vtkhdf") as file:
         steps = file["VTKHDF/Steps"]

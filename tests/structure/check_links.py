@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Checks what the documentation points at: links lead to files and headings that exist, and so do the sources it names.
 
-Usage: check_links.py ROOT. Prints every dead link as file:line: what is wrong, every page of docs/ that no other page
-links to, every source file that a page names and that is not there, every row of a table "| `file` | `name` |" whose
-file does not contain the name, and every line of C or C++ that a page quotes from docs/examples and that is not in the
-example any more; exits with 1 when there is any.
+Usage: check_links.py ROOT, the sources or the installed pages (which have no src/). Prints every dead link as
+file:line: what is wrong, every page of docs/ that no other page links to, every source file that a page names and that
+is not there, every row of a table "| `file` | `name` |" whose file does not contain the name, and every line of C or C++
+that a page quotes from docs/examples and that is not in the example any more; exits with 1 when there is any.
 """
 import pathlib
 import re
@@ -45,7 +45,7 @@ def files_named(root, name):
 
 def missing_sources(root, page):
     """Yields (line, what is wrong) for the sources that a page names; guides name files that a reader is to make."""
-    if page.name.startswith("adding_") or root / "docs" not in page.parents:
+    if page.name.startswith("adding_") or root / "docs" not in page.parents or not (root / "src").exists():
         return
     for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
         yield from ((number, f"src/{name} does not exist") for name in SOURCE.findall(line) if not files_named(root, name))

@@ -58,16 +58,6 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
     checker.error("fibers.largest_length", "shorter than the longest fiber", "raise it, or leave it out");
 }
 
-void validate_output(const AttritionCase& values, CaseChecker& checker) {
-  if (values.run.duration <= 0) return;
-  validate_series(values.run, values.output, checker);
-  for (const double time : values.output.histogram_times)
-    if (time > values.run.duration)
-      checker.error("output.histogram_times",
-                    fmt::format("{:.6g} s comes after the end, {}", time, checker.cite("run.duration")),
-                    "give times up to run.duration");
-}
-
 /// Simple shear of a melt whose viscosity a law gives.
 Flow melt_flow(double rate, double temperature, double pressure) {
   Flow flow = simple_shear(rate);
@@ -84,7 +74,8 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
   validate_law(viscosity_menu(), "melt", values.melt, checker);
   validate_flow(values.flow, checker);
   validate_fibers(values, checker);
-  validate_output(values, checker);
+  validate_series(values.run, values.output, checker);
+  validate_times("output.histogram_times", values.output.histogram_times, values.run, checker);
 }
 
 CaseEstimate estimate_attrition(const AttritionCase& values) {

@@ -60,7 +60,7 @@ KeyGroup<AttritionOutputChoices> output_keys() {
           "Bins of the histograms, from 0 to the longest fiber."),
   };
   return {"output", "What is kept.",
-          joined<Output>({rows_of_base<Output, SeriesChoices>({interval_key()}), histograms})};
+          joined<Output>({rows_of_base<Output, SeriesChoices>(series_rows()), histograms})};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/sample/length_comparison.hpp"
 #include "studies/sample/start.hpp"
+#include "studies/summary_tensors.hpp"
 
 namespace fiberfate {
 namespace {
@@ -28,13 +29,6 @@ void append_pair_distances(OwnValues& own, const PackingReport& packing) {
                          {"pair_distance_high_diameters", high},
                          {"pair_distance_per_fiber", found},
                          {"pair_distance_per_fiber_random", random}});
-}
-
-std::vector<double> components(const Mat6& tensor) {
-  std::vector<double> rows;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) rows.push_back(tensor(i, j));
-  return rows;
 }
 
 void append_kinds(OwnValues& own, const SampleCase& sample, const FiberState& state) {

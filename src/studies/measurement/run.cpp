@@ -9,6 +9,7 @@
 #include "io/csv_table.hpp"
 #include "microstructure/eigenframe.hpp"
 #include "studies/measurement/lists.hpp"
+#include "studies/summary_tensors.hpp"
 
 namespace fiberfate {
 namespace {
@@ -116,8 +117,7 @@ void evaluate_directions(const MeasurementCase& values, Outcome& outcome, Sessio
   summary.own.emplace_back("A2_upper", interval.upper);
   const Vec3 principal = eigenframe(interval.estimate).values;
   summary.own.emplace_back("principal_values", std::vector<double>(principal.begin(), principal.end()));
-  const Mat6 fourth = fourth_moment(fibers);
-  summary.own.emplace_back("A4", std::vector<double>(fourth.data(), fourth.data() + fourth.size()));
+  summary.own.emplace_back("A4", components(fourth_moment(fibers)));
   outcome.tables.push_back({"directions", pole_figure(fibers)});
 }
 

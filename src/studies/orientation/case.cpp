@@ -169,7 +169,12 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   } else {
     checker.warn_unused({"solution.degree"}, "solution.distribution = \"yes\"");
   }
-  if (checker.is_sound()) warn_of_doubts(values, checker);
+  if (!checker.is_sound()) return;
+  if (values.solution.steady == SteadyChoice::yes &&
+      !(rate_of(gradient_history(values.flow).at(values.run.duration)) > 0))
+    checker.error("solution.steady", "nothing deforms at the end of the run: every orientation stays",
+                  "give a flow with a rate, or take steady = \"no\"");
+  warn_of_doubts(values, checker);
 }
 
 CaseEstimate estimate_orientation(const OrientationCase& values) {

@@ -20,6 +20,9 @@ enum class OrientationFlow { shear, planar, uniaxial, biaxial, mixed, gradient, 
 /// Whether the distribution function is solved beside the tensor equation.
 enum class DistributionChoice { no, yes };
 
+/// Whether the steady state is found beside the run.
+enum class SteadyChoice { no, yes };
+
 /// [flow].
 struct OrientationFlowChoices {
   OrientationFlow kind = OrientationFlow::shear;
@@ -49,6 +52,7 @@ struct OrientationSolutionChoices {
   std::string closure = "ibof";
   double tolerance = 1e-8;
   DistributionChoice distribution = DistributionChoice::no;
+  SteadyChoice steady = SteadyChoice::no;
   std::int64_t degree = 40;
 };
 

@@ -86,6 +86,8 @@ KeyGroup<OrientationSolutionChoices> solution_keys() {
   const Choices<DistributionChoice> distribution = {
       {DistributionChoice::no, "no", "only the tensor equation"},
       {DistributionChoice::yes, "yes", "also the distribution function, which needs no closure"}};
+  const Choices<SteadyChoice> steady = {{SteadyChoice::no, "no", "only the run"},
+                                        {SteadyChoice::yes, "yes", "also the steady state"}};
   return {"solution",
           "How the equation is closed and solved.",
           {
@@ -96,6 +98,9 @@ KeyGroup<OrientationSolutionChoices> solution_keys() {
               key("distribution", &Solution::distribution, distribution,
                   "Whether the Fokker-Planck equation is solved beside, from the distribution of the same A2 "
                   "into which Jeffery's motion carries the isotropic one."),
+              key("steady", &Solution::steady, steady,
+                  "Whether the state that the flow at the end leads to is found beside, directly, however "
+                  "long it takes to come there; the run may then be short."),
               key("degree", &Solution::degree, {}, Range::between(4, 200),
                   "Highest degree of the spherical harmonics, even; 6/sqrt(C_I) is plenty."),
           }};
@@ -115,7 +120,7 @@ void describe_orientation(KeyTable& table, OrientationCase& values) {
       "viscosity.md); leave it out when only the orientation matters.",
       "\"newtonian\"", Need::optional};
   const KeyGroup<RunChoices> run = {"run", "How long.", {duration_key(1e9, "\"100 s\"")}};
-  const KeyGroup<SeriesChoices> output = {"output", "What is kept.", {interval_key()}};
+  const KeyGroup<SeriesChoices> output = {"output", "What is kept.", series_rows()};
   describe_law(table, diffusion_menu(), diffusion, values.diffusion);
   describe_law(table, retardation_menu(), retardation, values.retardation);
   describe_law(table, viscosity_menu(), melt, values.melt);

@@ -35,6 +35,13 @@ FactsSection came_out(const OrientationCase& values, const SummaryFile& summary)
     section.rows.push_back(
         {"Error of the closure", summary.number("closure_error"), "", "norm of the difference"});
   }
+  if (values.solution.steady == SteadyChoice::yes) {
+    section.rows.push_back({"Steady state", summary.text("steady"), "", "of the flow at the end"});
+    if (summary.text("steady") == "found") {
+      section.rows.push_back({"Steady orientation", summary.tensor("steady_A2")});
+      section.rows.push_back({"Slowest decay to it", summary.number("steady_decay_per_s"), "1/s"});
+    }
+  }
   if (!values.melt.name.empty()) {
     section.rows.push_back(
         {"Viscosity of the matrix", summary.number("viscosity_Pa_s"), "Pa s", "at the end"});

@@ -12,6 +12,8 @@
 #include "microstructure/eigenframe.hpp"
 #include "studies/law_facts.hpp"
 #include "studies/orientation/observables.hpp"
+#include "studies/orientation/states.hpp"
+#include "studies/summary_tensors.hpp"
 
 namespace fiberfate {
 namespace {
@@ -25,6 +27,7 @@ class DistributionFollower {
         tolerance_{values.solution.tolerance, values.solution.tolerance},
         psi_(equation_.with_second_moment(values.fibers.orientation)) {}
 
+  /// Gives A2 at a time not before the last one.
   [[nodiscard]] Mat3 advance_to(double time) {
     while (time_ < time) {
       const double end = std::min(time, history_.next_change(time_));
@@ -33,6 +36,8 @@ class DistributionFollower {
     }
     return equation_.second_moment(psi_);
   }
+  /// A4 where it is now.
+  [[nodiscard]] Mat6 fourth() const { return equation_.fourth_moment(psi_); }
 
  private:
   FokkerPlanck equation_;
@@ -75,6 +80,7 @@ class OrientationRun {
     summary.steps = integrator_.record().accepted;
     if (distribution_)
       summary.own.insert(summary.own.end(), {{"distribution_A2", last.exact},
+                                             {"distribution_A4", components(distribution_->fourth())},
                                              {"closure_error", (last.second - last.exact).norm()}});
     if (stress_)
       summary.own.insert(summary.own.end(),
@@ -112,6 +118,8 @@ Outcome compute_orientation(const OrientationCase& values, Session& session) {
     series.append(measure(observables, last = run.advance_to(time)));
   summarise(observables, last, summary);
   run.summarise(last, summary);
+  summarise_ends(values, last.second, summary);
+  if (values.solution.steady == SteadyChoice::yes) summarise_steady(values, session, summary);
   outcome.tables.push_back({"series", std::move(series)});
   const Vec3 diagonal = last.second.diagonal();
   session.recorder().note(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", diagonal[0],

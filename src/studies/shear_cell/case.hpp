@@ -27,8 +27,7 @@ struct FlowChoices {
 };
 
 /// [output]: what is kept, and how often.
-struct OutputChoices {
-  std::optional<double> interval;  ///< simulated time between rows of series.csv, s; not given: duration/200
+struct OutputChoices : SeriesChoices {
   std::optional<double>
       frame_interval;  ///< simulated time between frames of result.vtkhdf, s; not given: duration/50
   double checkpoint_interval = 300;     ///< wall time between checkpoints, s
@@ -60,8 +59,6 @@ void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 /// Radius of curvature that counts as critical: that of the law `fixed`, or the one below which the other
 /// laws break every hinge, m.
 [[nodiscard]] double critical_radius(const BreakageParameters& breakage);
-/// The simulated time between rows of series.csv, s.
-[[nodiscard]] double series_interval(const ShearCellCase& values);
 /// The simulated time between frames of result.vtkhdf, s.
 [[nodiscard]] double frame_interval(const ShearCellCase& values);
 

@@ -127,29 +127,26 @@ KeyGroup<StepParameters> step_keys() {
 
 KeyGroup<OutputChoices> output_keys() {
   using Output = OutputChoices;
-  return {"output",
-          "What is kept, and how often.",
-          {
-              key("interval", &Output::interval, {"s"}, Range::positive(),
-                  "Simulated time between rows of series.csv; not given: run.duration / 200.",
-                  optional("\"0.05 s\"")),
-              key("frame_interval", &Output::frame_interval, {"s"}, Range::positive(),
-                  "Simulated time between frames of result.vtkhdf; not given: run.duration / 50.",
-                  optional("\"0.2 s\"")),
-              key("checkpoint_interval", &Output::checkpoint_interval, {"s", "min"}, Range::positive(),
-                  "Wall time between checkpoints."),
-              key("histogram_times", &Output::histogram_times, {"s"}, Range::not_negative(),
-                  "Simulated times at which histograms of length and curvature are kept, besides the start "
-                  "and the end.",
-                  optional("[\"1 s\", \"5 s\"]")),
-              key("length_bin", &Output::length_bin, {"m", "mm"}, Range::positive(1),
-                  "Width of the bins of the length histogram."),
-              key("radius_bin", &Output::radius_bin, {"m", "um"}, Range::positive(1),
-                  "Width of the bins of the histogram of radii of curvature."),
-              key("near_critical", &Output::near_critical, {"m", "um"}, Range::positive(1),
-                  "Hinges whose radius of curvature is this little above the breaking one are counted.", {},
-                  "thesis figure 3.31"),
-          }};
+  const KeyRows<Output> others = {
+      key("frame_interval", &Output::frame_interval, {"s"}, Range::positive(),
+          "Simulated time between frames of result.vtkhdf; not given: run.duration / 50.",
+          optional("\"0.2 s\"")),
+      key("checkpoint_interval", &Output::checkpoint_interval, {"s", "min"}, Range::positive(),
+          "Wall time between checkpoints."),
+      key("histogram_times", &Output::histogram_times, {"s"}, Range::not_negative(),
+          "Simulated times at which histograms of length and curvature are kept, besides the start "
+          "and the end.",
+          optional("[\"1 s\", \"5 s\"]")),
+      key("length_bin", &Output::length_bin, {"m", "mm"}, Range::positive(1),
+          "Width of the bins of the length histogram."),
+      key("radius_bin", &Output::radius_bin, {"m", "um"}, Range::positive(1),
+          "Width of the bins of the histogram of radii of curvature."),
+      key("near_critical", &Output::near_critical, {"m", "um"}, Range::positive(1),
+          "Hinges whose radius of curvature is this little above the breaking one are counted.", {},
+          "thesis figure 3.31"),
+  };
+  return {"output", "What is kept, and how often.",
+          joined<Output>({rows_of_base<Output, SeriesChoices>(series_rows()), others})};
 }
 
 }  // namespace

@@ -56,6 +56,10 @@ class ShearCellRun {
   double begin_wall_;  ///< of the session, s
 };
 
+OutputSchedule series_schedule(const ShearCellCase& values) {
+  return {series_interval(values.run, values.output), values.output.times};
+}
+
 OutputSchedule frame_schedule(const ShearCellCase& values) {
   return {frame_interval(values), values.output.histogram_times};
 }
@@ -63,7 +67,7 @@ OutputSchedule frame_schedule(const ShearCellCase& values) {
 RunLimits limits_of(const ShearCellCase& values, const Session& session) {
   const SessionOptions& options = session.options();
   RunLimits limits;
-  const OutputSchedule series{series_interval(values), {}};
+  const OutputSchedule series = series_schedule(values);
   limits.end = series.snapped(options.until.value_or(values.run.duration));
   limits.at_end =
       limits.end == series.snapped(values.run.duration) ? StopReason::done : StopReason::time_reached;
@@ -79,7 +83,7 @@ ShearCellRun::ShearCellRun(const ShearCellCase& values, Session& session, Checkp
       resolved_case_(std::move(from.resolved_case)),
       before_(from.record),
       flow_(flow_history(values.flow)),
-      series_times_{series_interval(values), {}},
+      series_times_(series_schedule(values)),
       frame_times_(frame_schedule(values)),
       limits_(limits_of(values, session)),
       simulation_(dynamics_parameters(values), flow_, std::move(from.state)),

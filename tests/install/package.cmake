@@ -1,0 +1,26 @@
+# Packs the build in BUILD as a .deb, unpacks it, and checks what is in it and what it depends on.
+include("${CMAKE_CURRENT_LIST_DIR}/c_programs.cmake")
+
+set(work "${BUILD}/package_test")
+set(root "${work}/root")
+file(REMOVE_RECURSE "${work}")
+run("${CPACK}" --config "${BUILD}/CPackConfig.cmake" -G DEB -B "${work}")
+file(GLOB package "${work}/fiberfate_*.deb")
+run(dpkg-deb --extract "${package}" "${root}")
+run("${root}/usr/bin/fiberfate" --version)
+check_c_programs("${root}/usr" "${work}")
+
+# The package that brings each library that a program or the library in C needs.
+execute_process(COMMAND dpkg-deb --field "${package}" Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
+foreach(library libc6 libceres libfmt libgomp1 libhdf5 libspdlog libstdc++6 libudunits2)
+  string(FIND "${depends}" "${library}" place)
+  if(place EQUAL -1)
+    message(FATAL_ERROR "the package does not depend on ${library}: ${depends}")
+  endif()
+endforeach()
+run(dpkg-deb --control "${package}" "${work}/control")
+file(READ "${work}/control/shlibs" shlibs)
+file(READ "${work}/control/triggers" triggers)
+if(NOT shlibs MATCHES "libfiberfate 0 fiberfate" OR NOT triggers MATCHES "ldconfig")
+  message(FATAL_ERROR "the package does not announce its library: ${shlibs}${triggers}")
+endif()
