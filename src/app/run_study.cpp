@@ -22,12 +22,14 @@ StopReason compute_into(OwnedFolder& folder, const LoadedCase& loaded, Session& 
     if (outcome.summary.cpu_s == 0) outcome.summary.cpu_s = session.cpu_s();
     write_outcome(outcome, folder);
     folder.keep();
+    folder.end();
     return outcome.summary.stop_reason;
   } catch (const NoOutcome& end) {
     session.end_progress();
     session.recorder().warn(end.message);
     // What was stopped before it began to show anything does not replace an earlier result.
     if (!folder.replaces()) folder.keep();
+    if (end.reason == StopReason::done) folder.end();
     return end.reason;
   } catch (const SimulationFailure&) {
     folder.keep();
@@ -67,6 +69,8 @@ int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder f
   calls.progress = [&progress](const std::function<std::string()>& text) { progress.show(text); };
   calls.progress_ended = [&progress] { progress.end_line(); };
   Session session(recorder, options.session, std::move(calls), begin);
+  if (begin == Begin::where_it_stopped && !recorder.has_checkpoint())
+    recorder.warn("there is no checkpoint to go on from: the run begins again");
   const StopReason reason = compute_into(folder, loaded, session);
   fmt::print("{}: result in {}\n", name(reason), folder.folder().path());
   return static_cast<int>(reason == StopReason::signal ? ExitStatus::stopped : ExitStatus::done);

@@ -28,17 +28,22 @@ struct RecordText {
   std::set<std::string> files;
   std::optional<std::uint64_t> case_digest;
   std::string holder;  ///< of the last "run" line
+  bool ended = false;  ///< "end" came after it
 };
 
 RecordText parse(const std::string& text) {
   RecordText parsed;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (line == "end") parsed.ended = true;
     const std::size_t space = line.find(' ');
     if (space == std::string::npos) continue;
     const std::string word = line.substr(0, space), rest = line.substr(space + 1);
     if (word == "file") parsed.files.insert(rest);
-    if (word == "run") parsed.holder = rest;
+    if (word == "run") {
+      parsed.holder = rest;
+      parsed.ended = false;
+    }
     std::uint64_t number = 0;
     if (word == "case" &&
         std::from_chars(rest.data(), rest.data() + rest.size(), number, 16).ec == std::errc())
@@ -52,6 +57,24 @@ std::string this_process() {
   ::gethostname(host.data(), host.size() - 1);
   return fmt::format("{} {} {:%Y-%m-%dT%H:%M:%S}", ::getpid(), host.data(),
                      fmt::localtime(std::time(nullptr)));
+}
+
+/// Whether a path still names the file that was opened; a process that gives up its folder removes its
+/// record.
+bool is_at(const std::string& path, int descriptor) {
+  struct stat there {
+  }, opened{};
+  return ::stat(path.c_str(), &there) == 0 && ::fstat(descriptor, &opened) == 0 &&
+         there.st_ino == opened.st_ino && there.st_dev == opened.st_dev;
+}
+
+/// Who holds a record; nothing where its holder has just given it up.
+std::string holder_of(const std::string& path) {
+  try {
+    return parse(read_file(path)).holder;
+  } catch (const StorageError&) {
+    return {};
+  }
 }
 
 [[noreturn]] void refuse_held(const std::string& folder, const std::string& holder) {
@@ -78,22 +101,29 @@ void record_file(const std::string& folder, const std::string& name) {
 }
 
 FolderRecord::FolderRecord(const std::string& folder) : path_(folder + '/' + folder_record_name) {
-  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (descriptor_ < 0) throw storage_error("cannot create", path_);
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    const bool held = errno == EWOULDBLOCK;
-    const StorageError failure = storage_error("cannot lock", path_);
-    ::close(descriptor_);
-    if (held) refuse_held(folder, parse(read_file(path_)).holder);
-    throw failure;
-  }
+  do {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    lock(folder);
+  } while (!is_at(path_, descriptor_));
   const std::string text = read_file(path_);
   is_new_ = text.empty();
   const RecordText known = parse(text);
   files_ = known.files;
   case_digest_ = known.case_digest;
+  was_ended_ = known.ended;
   if (is_new_) append(heading);
   append(fmt::format("run {}\n", this_process()));
+}
+
+void FolderRecord::lock(const std::string& folder) {
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (descriptor_ < 0) throw storage_error("cannot create", path_);
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+  const bool held = errno == EWOULDBLOCK;
+  const StorageError failure = storage_error("cannot lock", path_);
+  ::close(descriptor_);
+  if (held) refuse_held(folder, holder_of(path_));
+  throw failure;
 }
 
 FolderRecord::FolderRecord(FolderRecord&& other) noexcept
@@ -101,7 +131,8 @@ FolderRecord::FolderRecord(FolderRecord&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       files_(std::move(other.files_)),
       case_digest_(other.case_digest_),
-      is_new_(other.is_new_) {}
+      is_new_(other.is_new_),
+      was_ended_(other.was_ended_) {}
 
 FolderRecord::~FolderRecord() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -121,6 +152,10 @@ void FolderRecord::add_file(const std::string& name) {
 void FolderRecord::set_case(std::uint64_t digest) {
   append(fmt::format("case {:016x}\n", digest));
   case_digest_ = digest;
+}
+
+void FolderRecord::end() {
+  append("end\n");
 }
 
 void FolderRecord::clear() {

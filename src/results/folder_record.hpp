@@ -8,7 +8,8 @@
 
 namespace fiberfate {
 
-/// Name of the record in a result folder: lines "file NAME", "case DIGEST" and "run PROCESS HOST TIME".
+/// Name of the record in a result folder: lines "file NAME", "case DIGEST", "run PROCESS HOST TIME" when a
+/// process takes the folder, and "end" when its outcome stands there.
 inline constexpr const char* folder_record_name = ".fiberfate";
 
 /// Reads the names of the files that the program made in a folder; nothing where there is no record.
@@ -34,22 +35,28 @@ class FolderRecord {
   [[nodiscard]] std::optional<std::uint64_t> case_digest() const { return case_digest_; }
   /// Whether the record was made just now.
   [[nodiscard]] bool is_new() const { return is_new_; }
+  /// Whether the process before this one left its outcome in full; it may have been killed before.
+  [[nodiscard]] bool was_ended() const { return was_ended_; }
 
   /// Adds a file before it is made, so that the record is never behind the disk; raises StorageError.
   void add_file(const std::string& name);
   void set_case(std::uint64_t digest);
+  /// Tells the next process that the outcome stands in full.
+  void end();
   /// Forgets all files and the case: what they were has been put elsewhere.
   void clear();
   /// Makes the record what it was; what cannot be written is left.
   void restore(const std::string& text) noexcept;
 
  private:
+  void lock(const std::string& folder);
   void append(const std::string& line);
   std::string path_;
   int descriptor_ = -1;
   std::set<std::string> files_;
   std::optional<std::uint64_t> case_digest_;
   bool is_new_ = false;
+  bool was_ended_ = false;
 };
 
 }  // namespace fiberfate

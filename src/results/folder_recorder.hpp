@@ -24,6 +24,7 @@ class FolderRecorder final : public Recorder {
                                                    std::int64_t kept) override;
   [[nodiscard]] std::unique_ptr<FrameSink> open_frames(const std::string& name, std::int64_t kept) override;
   [[nodiscard]] bool has_checkpoint() const override;
+  [[nodiscard]] bool has_outcome() const override { return owned_.was_ended(); }
   void save_checkpoint(const CheckpointBody& body) override;
   void read_checkpoint(const std::function<void(const std::string& path)>& read) override;
   void save_failure(const CheckpointBody& body) override;

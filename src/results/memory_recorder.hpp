@@ -29,6 +29,7 @@ class MemoryRecorder final : public Recorder {
                                                    std::int64_t kept) override;
   [[nodiscard]] std::unique_ptr<FrameSink> open_frames(const std::string& name, std::int64_t kept) override;
   [[nodiscard]] bool has_checkpoint() const override { return false; }
+  [[nodiscard]] bool has_outcome() const override { return false; }
   void save_checkpoint(const CheckpointBody&) override {}
   void read_checkpoint(const std::function<void(const std::string& path)>& read) override;
   void save_failure(const CheckpointBody&) override {}

@@ -63,6 +63,9 @@ class Recorder {
 
   /// Whether an earlier run left a checkpoint, sound or not.
   [[nodiscard]] virtual bool has_checkpoint() const = 0;
+  /// Whether an earlier run left its outcome in full; it may have been killed between its last checkpoint and
+  /// its outcome.
+  [[nodiscard]] virtual bool has_outcome() const = 0;
   /// Saves a checkpoint and keeps the one before; raises StorageError.
   virtual void save_checkpoint(const CheckpointBody& body) = 0;
   /// Calls `read` with the newest checkpoint, and where that raises StorageError with the one before, after a

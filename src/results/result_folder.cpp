@@ -82,16 +82,46 @@ std::string file_of_a_user(const ResultFolder& folder, const std::set<std::strin
   return {};
 }
 
+bool holds_any(const ResultFolder& folder, const std::set<std::string>& known) {
+  return std::any_of(known.begin(), known.end(),
+                     [&](const std::string& name) { return exists(folder.file(name)); });
+}
+
+/// Raises InputError where a new run may not write to a folder in which the program made the known files.
+void require_room(const ResultFolder& folder, const std::set<std::string>& known, Existing existing) {
+  const std::string foreign = file_of_a_user(folder, known);
+  if (existing == Existing::refuse && (holds_any(folder, known) || exists(folder.resolved_case())))
+    throw InputError(
+        folder.path() + " already holds a result",
+        "name another folder with --out, continue that run with 'fiberfate resume', or replace it "
+        "with --overwrite");
+  if (!foreign.empty())
+    throw InputError(
+        fmt::format("{} is there already, and no record in its folder says that fiberfate made it",
+                    folder.file(foreign)),
+        "name another folder with --out, or move that file away");
+}
+
+/// Raises InputError where a folder holds no result.
+void require_result(const ResultFolder& folder) {
+  std::error_code reason;
+  if (!fs::is_directory(folder.path(), reason))
+    throw InputError(folder.path() + " is not a folder", "name the folder of a result");
+  if (!fs::exists(folder.resolved_case(), reason))
+    throw InputError(folder.path() + " holds no result: case.resolved.toml is missing",
+                     "name the folder that 'fiberfate run' wrote");
+}
+
+/// Whether a process was killed here while it moved a result out of the way.
+bool holds_moved_result(const ResultFolder& folder) {
+  return exists(folder.file(moving_folder)) || exists(folder.file(replaced_folder));
+}
+
 }  // namespace
 
 ResultFolder ResultFolder::open(const std::string& path) {
   ResultFolder folder(without_slash(path));
-  std::error_code reason;
-  if (!fs::is_directory(folder.path_, reason))
-    throw InputError(folder.path_ + " is not a folder", "name the folder of a result");
-  if (!fs::exists(folder.resolved_case(), reason))
-    throw InputError(folder.path_ + " holds no result: case.resolved.toml is missing",
-                     "name the folder that 'fiberfate run' wrote");
+  require_result(folder);
   return folder;
 }
 
@@ -112,32 +142,26 @@ OwnedFolder::~OwnedFolder() {
 OwnedFolder OwnedFolder::create(const std::string& path, Existing existing) {
   const ResultFolder folder(without_slash(path));
   require_folder(folder.path());
-  const std::set<std::string> known = recorded_files(folder.path());
-  const std::string foreign = file_of_a_user(folder, known);
-  const bool holds_result = std::any_of(known.begin(), known.end(),
-                                        [&](const std::string& name) { return exists(folder.file(name)); });
-  if (existing == Existing::refuse && (holds_result || exists(folder.resolved_case())))
-    throw InputError(
-        folder.path() + " already holds a result",
-        "name another folder with --out, continue that run with 'fiberfate resume', or replace it "
-        "with --overwrite");
-  if (!foreign.empty())
-    throw InputError(
-        fmt::format("{} is there already, and no record in its folder says that fiberfate made it",
-                    folder.file(foreign)),
-        "name another folder with --out, or move that file away");
+  require_room(folder, recorded_files(folder.path()), existing);
   OwnedFolder owned(folder, make_folders(folder.path()));
   owned.record_.emplace(folder.path());
-  move_back(folder, moving_folder);
-  if (holds_result) owned.put_aside();
+  owned.stands_ = true;  // nothing here is this run's own yet
+  owned.recover();
+  // Another process may have come and gone since the first look.
+  require_room(folder, owned.record_->files(), existing);
+  if (holds_any(folder, owned.record_->files())) owned.put_aside();
+  owned.stands_ = false;
   return owned;
 }
 
 OwnedFolder OwnedFolder::take(const std::string& path) {
-  OwnedFolder owned(ResultFolder::open(path), {});
+  const ResultFolder folder(without_slash(path));
+  if (!holds_moved_result(folder)) require_result(folder);
+  OwnedFolder owned(folder, {});
   owned.stands_ = true;
-  owned.record_.emplace(owned.folder_.path());
-  move_back(owned.folder_, moving_folder);
+  owned.record_.emplace(folder.path());
+  owned.recover();
+  require_result(folder);
   const auto begun_with = owned.record_->case_digest();
   if (begun_with && *begun_with != digest_of(read_file(owned.folder_.resolved_case())))
     throw InputError(owned.folder_.resolved_case() + " was changed after the run began",
@@ -148,6 +172,20 @@ OwnedFolder OwnedFolder::take(const std::string& path) {
     for (const char* name : names_of_results)
       if (exists(owned.folder_.file(name))) owned.record_->add_file(name);
   return owned;
+}
+
+/// Undoes what a process that was killed had begun: a result that it was moving away comes back, and one that
+/// it had moved away before it wrote its own case.
+void OwnedFolder::recover() {
+  take_back(moving_folder);
+  if (!exists(folder_.resolved_case())) take_back(replaced_folder);
+}
+
+void OwnedFolder::take_back(const char* waiting) {
+  if (!exists(folder_.file(waiting))) return;
+  for (const auto& entry : fs::directory_iterator(folder_.file(waiting)))
+    if (entry.path().filename() != replaced_folder) record_->add_file(entry.path().filename().string());
+  move_back(folder_, waiting);
 }
 
 void OwnedFolder::put_aside() {

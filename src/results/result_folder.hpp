@@ -63,10 +63,16 @@ class OwnedFolder {
   void stand() { stands_ = true; }
   /// Lets the run's files stand, and removes those of the result that it replaces.
   void keep();
+  /// Tells the next process that the outcome of this one stands here in full.
+  void end() { record_->end(); }
+  /// Whether the process before this one left its outcome in full.
+  [[nodiscard]] bool was_ended() const { return record_->was_ended(); }
   [[nodiscard]] bool replaces() const { return !earlier_record_.empty(); }
 
  private:
   OwnedFolder(ResultFolder folder, std::vector<std::string> made_folders);
+  void recover();
+  void take_back(const char* waiting);
   void put_aside();
   void undo() noexcept;
 

@@ -33,7 +33,7 @@ std::vector<double> histogram_times(const AttritionCase& values) {
   return values.output.histogram_times;
 }
 
-Followed follow(const AttritionCase& values, const LawChoice& choice) {
+Followed follow(const AttritionCase& values, const LawChoice& choice, const Session& session) {
   const auto law = make_attrition_law(choice.name, law_values(attrition_menu(), choice));
   const auto melt = make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt));
   const FlowHistory history = flow_history(values.flow);
@@ -44,6 +44,7 @@ Followed follow(const AttritionCase& values, const LawChoice& choice) {
   Followed followed;
   double first_number = 1, first_length = 1;
   const auto visit = [&](const LengthSample& sample) {
+    session.end_if_stopped("stopped; resuming begins again");
     followed.moments.push_back(
         {sample.time, sample.melt, sample.viscosity, sample.unbreakable_length, sample.evolution.means()});
     const LengthClasses& population = sample.evolution.population();
@@ -92,9 +93,9 @@ CsvTable series_of(const AttritionCase& values, const std::vector<LengthMoment>&
   return series;
 }
 
-void compute_lengths(const AttritionCase& values, Outcome& outcome) {
+void compute_lengths(const AttritionCase& values, const Session& session, Outcome& outcome) {
   RunSummary& summary = outcome.summary;
-  const Followed followed = follow(values, values.law);
+  const Followed followed = follow(values, values.law, session);
   const LengthMoment& last = followed.moments.back();
   append_values(summary, "", values.law, followed);
   summary.number_average = last.means.number_average;
@@ -102,7 +103,7 @@ void compute_lengths(const AttritionCase& values, Outcome& outcome) {
   summarise(length_observables(), last, summary);
   Followed other;
   if (!values.compared.name.empty()) {
-    other = follow(values, values.compared);
+    other = follow(values, values.compared, session);
     append_values(summary, "compared_", values.compared, other);
     outcome.tables.push_back({"histogram_compared", other.histogram});
   }
@@ -116,7 +117,7 @@ void compute_lengths(const AttritionCase& values, Outcome& outcome) {
 Outcome compute_attrition(const AttritionCase& values, Session& session) {
   Outcome outcome;
   outcome.summary.simulated_s = values.run.duration;
-  compute_lengths(values, outcome);
+  compute_lengths(values, session, outcome);
   session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm after {:.4g} s",
                                       1e3 * outcome.summary.number_average.value_or(0),
                                       1e3 * outcome.summary.weight_average.value_or(0), values.run.duration));

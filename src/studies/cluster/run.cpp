@@ -174,7 +174,8 @@ void tell(const Cluster& cluster, Recorder& log) {
 }  // namespace
 
 Outcome compute_cluster(const ClusterCase& values, Session& session) {
-  if (session.continues()) throw NoOutcome{StopReason::done, "the packing is complete already"};
+  if (session.continues() && session.recorder().has_outcome())
+    throw NoOutcome{StopReason::done, "the packing is complete already"};
   session.use_threads(values.run.threads);
   Recorder& recorder = session.recorder();
   recorder.note("packing");

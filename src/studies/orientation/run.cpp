@@ -114,8 +114,10 @@ Outcome compute_orientation(const OrientationCase& values, Session& session) {
   CsvTable series{columns_of(observables)};
   OrientationRun run(values);
   OrientationMoment last;
-  for (const double time : series_times(values.run, values.output))
+  for (const double time : series_times(values.run, values.output)) {
+    session.end_if_stopped("stopped; resuming begins again");
     series.append(measure(observables, last = run.advance_to(time)));
+  }
   summarise(observables, last, summary);
   run.summarise(last, summary);
   summarise_ends(values, last.second, summary);

@@ -230,7 +230,7 @@ Outcome continue_run(const ShearCellCase& values, Session& session) {
   Checkpoint from = load_checkpoint(session.recorder());
   session.recorder().note(fmt::format("continuing at {:.9g} s", from.state.time));
   ShearCellRun run(values, session, std::move(from));
-  if (run.has_reached_end())
+  if (run.has_reached_end() && session.recorder().has_outcome())
     throw NoOutcome{StopReason::done, "the run is at its end already; give a later --until to continue"};
   return run.run();
 }

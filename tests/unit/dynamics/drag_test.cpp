@@ -1,6 +1,7 @@
 // Tests the resistance of a rod by each law.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "base/constants.hpp"
@@ -51,6 +52,23 @@ TEST(IntegerBeadDrag, CountsWholeBeadsAndNotTheirRoundOff) {
   EXPECT_NEAR(law({.length = 2 * radius * 5 * (1 - 1e-15), .radius = radius, .fiber_length = 0}).parallel,
               5 * one, 1e-12);
   EXPECT_NEAR(law({.length = 2 * radius * 0.9, .radius = radius, .fiber_length = 0}).parallel, one, 1e-12);
+}
+
+/// All six resistances of an ellipsoid of a given eccentricity, over those of the sphere around it.
+std::array<double, 6> over_sphere(double eccentricity) {
+  const double major = radius / std::sqrt(1 - eccentricity * eccentricity);
+  const RodDrag drag = EllipsoidDrag{1.0}({.length = 2 * major, .radius = radius, .fiber_length = 0});
+  const double cube = pi * std::pow(major, 3);
+  return {drag.parallel / (6 * pi * major),       drag.perpendicular / (6 * pi * major),
+          drag.rotational / (8 * cube),           drag.strain.along / (10 * cube),
+          drag.strain.aslant / (40.0 / 3 * cube), drag.strain.across / (20.0 / 3 * cube)};
+}
+
+TEST(EllipsoidDrag, BecomesThatOfASphereWithoutALeap) {
+  for (const double value : over_sphere(0)) EXPECT_EQ(value, 1);
+  for (const double value : over_sphere(1e-7)) EXPECT_NEAR(value, 1, 1e-13);
+  const std::array below = over_sphere(0.08 * (1 - 1e-9)), above = over_sphere(0.08 * (1 + 1e-9));
+  for (std::size_t i = 0; i < below.size(); ++i) EXPECT_NEAR(below[i], above[i], 5e-10) << i;
 }
 
 /// Batchelor's resistances per length of a fiber of aspect ratio r, over the viscosity.
