@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "base/index.hpp"
 
 namespace fiberfate {
 
@@ -90,6 +90,12 @@ void parallel_for(std::ptrdiff_t count, const Body& body) {
   failure.rethrow();
 }
 
+/// The same for the things of a kind.
+template <class I, class Body>
+void parallel_for(IndexRange<I> range, const Body& body) {
+  parallel_for(range.size(), [&](std::ptrdiff_t i) { body(range.front() + static_cast<Index>(i)); });
+}
+
 /// The first of consecutive items that belongs to a share, when `shares` of about equal weight are made;
 /// item i weighs running[i + 1] − running[i].
 [[nodiscard]] inline std::ptrdiff_t share_begin(std::span<const Index> running, int share, int shares) {
@@ -113,6 +119,13 @@ void parallel_for_weighted(std::span<const Index> running, const Body& body) {
     });
   }
   failure.rethrow();
+}
+
+/// The same for things of a kind that own those of another, numbered in order: fibers weigh what they have
+/// nodes.
+template <class I, class Kind, class Body>
+void parallel_for_weighted(const IndexedVector<I, IndexOf<Kind>>& running, const Body& body) {
+  parallel_for_weighted(numbers(running), [&](std::ptrdiff_t i) { body(I(i)); });
 }
 
 /// Scratch of every thread, each on cache lines of its own: threads that write into one line wait for

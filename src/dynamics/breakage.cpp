@@ -1,6 +1,8 @@
 // Draws and carries out breaks.
 #include "dynamics/breakage.hpp"
 
+#include <optional>
+
 #include "dynamics/breakage_laws/breakage_registry.hpp"
 
 namespace fiberfate {
@@ -8,8 +10,8 @@ namespace {
 
 /// The sharpest hinge of a fiber that is to break.
 struct Worst {
-  Index node = -1;
-  double radius = 0;
+  NodeIndex node;
+  double radius;
 };
 
 /// Whether a hinge breaks at the state's present check.
@@ -29,28 +31,29 @@ class HingeCheck {
   std::int64_t check_;
 };
 
-Worst worst_breaking_hinge(const FiberState& state, const HingeCheck& check, Index fiber) {
-  Worst worst;
-  const auto f = static_cast<std::size_t>(fiber);
-  for (Index k = state.begin_node(fiber) + 1; k + 1 < state.end_node(fiber); ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const double radius = hinge_radius(state.position[n - 1], state.position[n], state.position[n + 1]);
-    if (worst.node >= 0 && radius >= worst.radius) continue;
-    const auto offset = static_cast<std::uint32_t>(k - state.begin_node(fiber));
-    const HingeName hinge{state.birth_id[f], state.birth_node[f] + offset};
-    if (check.breaks(hinge, radius)) worst = {k, radius};
+HingeName name_of(const FiberState& state, FiberIndex fiber, NodeIndex node) {
+  const auto offset = static_cast<std::uint32_t>(node - state.begin_node(fiber));
+  return {state.birth_id[fiber], state.birth_node[fiber] + offset};
+}
+
+std::optional<Worst> worst_breaking_hinge(const FiberState& state, const HingeCheck& check,
+                                          FiberIndex fiber) {
+  std::optional<Worst> worst;
+  for (const NodeIndex node : state.hinges(fiber)) {
+    const double radius = hinge_radius(state, node);
+    if (worst && radius >= worst->radius) continue;
+    if (check.breaks(name_of(state, fiber, node), radius)) worst = {node, radius};
   }
   return worst;
 }
 
-BreakEvent event_of(const FiberState& state, Index fiber, const Worst& worst) {
-  const auto f = static_cast<std::size_t>(fiber);
+BreakEvent event_of(const FiberState& state, FiberIndex fiber, const Worst& worst) {
   double child = 0;
-  for (Index k = state.begin_node(fiber); k < worst.node; ++k)
-    child += state.rod_length[static_cast<std::size_t>(k)];
-  const auto offset = static_cast<std::uint32_t>(worst.node - state.begin_node(fiber));
-  return {state.time,   state.birth_id[f],          state.birth_node[f] + offset,
-          worst.radius, fiber_length(state, fiber), child};
+  for (const RodIndex rod : state.rods(fiber)) {
+    if (rod < rod_after(worst.node)) child += state.rod_length[rod];
+  }
+  const HingeName name = name_of(state, fiber, worst.node);
+  return {state.time, name.birth_id, name.birth_node, worst.radius, fiber_length(state, fiber), child};
 }
 
 }  // namespace
@@ -58,12 +61,12 @@ BreakEvent event_of(const FiberState& state, Index fiber, const Worst& worst) {
 void check_breakage(FiberState& state, const DynamicsParameters& parameters,
                     std::vector<BreakEvent>& events) {
   const HingeCheck check(state, parameters);
-  std::vector<Index> nodes;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    const Worst worst = worst_breaking_hinge(state, check, fiber);
-    if (worst.node < 0) continue;
-    nodes.push_back(worst.node);
-    events.push_back(event_of(state, fiber, worst));
+  std::vector<NodeIndex> nodes;
+  for (const FiberIndex fiber : state.fibers()) {
+    const auto worst = worst_breaking_hinge(state, check, fiber);
+    if (!worst) continue;
+    nodes.push_back(worst->node);
+    events.push_back(event_of(state, fiber, *worst));
   }
   split_fibers(state, nodes);
   ++state.breakage_checks;

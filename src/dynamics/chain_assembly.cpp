@@ -22,7 +22,7 @@ struct LanePlace {
   double* far;
 };
 
-LanePlace place_of(ChainSystem& system, int lane, Index rod) {
+LanePlace place_of(ChainSystem& system, int lane, int rod) {
   return {system.record(rod) + lane, system.record(rod + 1) + lane};
 }
 
@@ -53,7 +53,8 @@ void add(const LanePlace& to, const RodLoad& load) {
 void add_rod_loads(const RodLoads& loads, const ChainGroup& group, ChainSystem& system) {
   for (int lane = 0; lane < System::lanes; ++lane) {
     for (int i = 0; i < group.used[lane]; ++i) {
-      for (const RodLoad& load : loads.of_rod(group.first[lane] + i)) add(place_of(system, lane, i), load);
+      for (const RodLoad& load : loads.of_rod(RodIndex(group.first[lane] + i)))
+        add(place_of(system, lane, i), load);
     }
   }
 }
@@ -61,9 +62,10 @@ void add_rod_loads(const RodLoads& loads, const ChainGroup& group, ChainSystem& 
 void add_pairs(const ChainProblem& problem, const ChainGroup& group, const double* rods,
                ChainSystem& system) {
   const PairSlots& slots = system.slots();
-  add_pair_loads({system.record(0), problem.state.position[0].data(), problem.pair_velocity[0].data(), rods,
-                  problem.pairs->forces().data(), slots.numbers(), slots.ends(), slots.rod_count()},
-                 group);
+  add_pair_loads(
+      {system.record(0), problem.state.position.front().data(), problem.pair_velocity.front().data(), rods,
+       problem.pairs->forces().data(), slots.numbers(), slots.ends(), slots.rod_count()},
+      group);
 }
 
 }  // namespace
@@ -72,8 +74,8 @@ void assemble_group(const ChainProblem& problem, const ChainFibers& fibers, Chai
   const ChainGroup& group = fibers.group;
   const Mat3 strain_rate = problem.flow.rate_of_strain();
   const AssemblyQuery query{system.record(0),
-                            problem.state.position[0].data(),
-                            problem.geometry[0].data(),
+                            problem.state.position.front().data(),
+                            problem.geometry.front().data(),
                             fibers.rods,
                             problem.flow.gradient.data(),
                             strain_rate.data(),

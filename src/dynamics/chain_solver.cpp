@@ -2,7 +2,6 @@
 #include "dynamics/chain_solver.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/kernels.hpp"
 #include "base/threads.hpp"
@@ -18,13 +17,13 @@ void eliminate(ChainSystem& system, int nodes) {
   return FIBERFATE_KERNEL(eliminate_chains)(system.record(0), system.factors(), nodes);
 }
 
-ChainGroup group_of(const FiberState& state, std::span<const Index> fibers) {
+ChainGroup group_of(const FiberState& state, std::span<const FiberIndex> fibers) {
   ChainGroup group;
   for (std::size_t lane = 0; lane < ChainSystem::lanes; ++lane) {
     const bool is_used = lane < fibers.size();
-    const Index fiber = is_used ? fibers[lane] : fibers[0];
-    group.fiber[lane] = is_used ? fiber : -1;
-    group.first[lane] = state.begin_node(fiber);
+    const FiberIndex fiber = is_used ? fibers[lane] : fibers[0];
+    group.fiber[lane] = is_used ? fiber.value() : -1;
+    group.first[lane] = state.begin_node(fiber).value();
     group.rods[lane] = state.rod_count(fiber);
     group.used[lane] = is_used ? group.rods[lane] : 0;
     group.bending_stiffness[lane] = state.material(fiber).bending_stiffness();
@@ -40,26 +39,28 @@ void ChainSolver::arrange(const FiberState& state, const ChainLaws& laws) {
   groups_.clear();
   share_begin_.assign(1, 0);
   const int shares = thread_count();
+  const auto first_of = [&](int share) {
+    return FiberIndex(share_begin(numbers(state.first_node), share, shares));
+  };
   for (int share = 0; share < shares; ++share) {
-    group_fibers(state, static_cast<Index>(share_begin(state.first_node, share, shares)),
-                 static_cast<Index>(share_begin(state.first_node, share + 1, shares)));
+    group_fibers(state, {first_of(share), first_of(share + 1)});
     share_begin_.push_back(groups_.size());
   }
   arrange_rods(state, unit_drag_of_rods(state, laws.drag));
 }
 
-/// Groups the fibers from `begin` to `end`, the longest ones first.
-void ChainSolver::group_fibers(const FiberState& state, Index begin, Index end) {
-  std::vector<Index> order(static_cast<std::size_t>(end - begin));
-  std::iota(order.begin(), order.end(), begin);
+/// Groups fibers, the longest ones first.
+void ChainSolver::group_fibers(const FiberState& state, IndexRange<FiberIndex> fibers) {
+  std::vector<FiberIndex> order;
+  for (const FiberIndex fiber : fibers) order.push_back(fiber);
   std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return state.rod_count(a) > state.rod_count(b); });
+                   [&](FiberIndex a, FiberIndex b) { return state.rod_count(a) > state.rod_count(b); });
   for (std::size_t i = 0; i < order.size(); i += ChainSystem::lanes)
     groups_.push_back(
         group_of(state, {order.data() + i, std::min<std::size_t>(ChainSystem::lanes, order.size() - i)}));
 }
 
-void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag) {
+void ChainSolver::arrange_rods(const FiberState& state, const IndexedVector<RodIndex, RodDrag>& drag) {
   is_anisotropic_ =
       std::ranges::any_of(drag, [](const RodDrag& rod) { return rod.parallel != rod.perpendicular; });
   int count = 0;
@@ -67,12 +68,12 @@ void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDra
     group.first_rods = count;
     count += group.nodes;
   }
-  rods_.reserve(static_cast<std::size_t>(count) * RodNumber::rod_numbers * ChainSystem::lanes);
+  rods_.reserve(std::size_t{RodNumber::rod_numbers * ChainSystem::lanes} * count);
   for (const ChainGroup& group : groups_) {
     for (int k = 0; k < group.nodes; ++k) {
       double* to = rods_of(group) + offset_of(RodNumber::length, k);
       for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
-        const auto rod = static_cast<std::size_t>(group.first[lane] + std::min(k, group.rods[lane] - 1));
+        const RodIndex rod(group.first[lane] + std::min(k, group.rods[lane] - 1));
         const double numbers[] = {state.rod_length[rod], drag[rod].parallel, drag[rod].perpendicular,
                                   drag[rod].rotational, drag[rod].shape};
         for (int i = 0; i < RodNumber::rod_numbers; ++i) to[i * ChainSystem::lanes + lane] = numbers[i];
@@ -83,8 +84,7 @@ void ChainSolver::arrange_rods(const FiberState& state, const std::vector<RodDra
 
 void ChainSolver::solve(const ChainProblem& problem, ChainSolution solution) {
   systems_.fit();
-  parallel_for(static_cast<std::ptrdiff_t>(share_begin_.size()) - 1, [&](std::ptrdiff_t s) {
-    const auto share = static_cast<std::size_t>(s);
+  parallel_for(std::ssize(share_begin_) - 1, [&](std::size_t share) {
     for (std::size_t g = share_begin_[share]; g < share_begin_[share + 1]; ++g)
       solve_group(problem, groups_[g], systems_.mine(), solution);
   });
@@ -97,25 +97,23 @@ void ChainSolver::solve_group(const ChainProblem& problem, const ChainGroup& gro
   eliminate(system, group.nodes);
   for (int lane = 0; lane < ChainSystem::lanes; ++lane) {
     for (int k = 0; k <= group.used[lane] && group.fiber[lane] >= 0; ++k) {
-      const auto n = static_cast<std::size_t>(group.first[lane] + k);
+      const NodeIndex node(group.first[lane] + k);
       const double* record = system.record(k) + lane;
       const double* w = record + ChainSystem::load * ChainSystem::lanes;
-      solution.relative_velocity[n] = Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
-      solution.tension[n] = record[ChainSystem::stretch * ChainSystem::lanes];
+      solution.relative_velocity[node] = Vec3(w[0], w[ChainSystem::lanes], w[2 * ChainSystem::lanes]);
+      solution.tension[rod_after(node)] = record[ChainSystem::stretch * ChainSystem::lanes];
     }
   }
 }
 
-std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, std::string_view law) {
+IndexedVector<RodIndex, RodDrag> unit_drag_of_rods(const FiberState& state, std::string_view law) {
   const DragRow& row = drag_law_named(law);
-  std::vector<RodDrag> drag(static_cast<std::size_t>(state.node_count()));
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  IndexedVector<RodIndex, RodDrag> drag(state.rod_length.size());
+  for (const FiberIndex fiber : state.fibers()) {
     const double radius = state.material(fiber).radius;
     const double whole = fiber_length(state, fiber);
-    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      drag[n] = row.drag(1.0, {state.rod_length[n], radius, whole});
-    }
+    for (const RodIndex rod : state.rods(fiber))
+      drag[rod] = row.drag(1.0, {state.rod_length[rod], radius, whole});
   }
   return drag;
 }

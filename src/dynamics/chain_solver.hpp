@@ -2,7 +2,6 @@
 // length.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,15 +18,15 @@
 
 namespace fiberfate {
 
-/// States the problem of one step. Spans with one entry a node; entries of rods stand at their first node.
+/// States the problem of one step.
 struct ChainProblem {
-  const FiberState& state;         ///< positions at the step's begin
-  std::span<const Vec3> geometry;  ///< positions at which drag and inextensibility hold (mid-step), m
-  const RodLoads& loads;           ///< forces on rods, implicit in their velocity
+  const FiberState& state;                      ///< positions at the step's begin
+  IndexedSpan<NodeIndex, const Vec3> geometry;  ///< where drag and inextensibility hold (mid-step), m
+  const RodLoads& loads;                        ///< forces on rods, implicit in their velocity
   Flow flow;
-  double step = 0;                           ///< over which bending is implicit, s; 0 makes it explicit
-  const PairForces* pairs = nullptr;         ///< forces between rods, linearised about ...
-  std::span<const Vec3> pair_velocity = {};  ///< ... these velocities w, m/s
+  double step = 0;                    ///< over which bending is implicit, s; 0 makes it explicit
+  const PairForces* pairs = nullptr;  ///< forces between rods, linearised about ...
+  IndexedSpan<NodeIndex, const Vec3> pair_velocity = {};  ///< ... these velocities w, m/s
 };
 
 /// The laws by which fibers resist.
@@ -36,11 +35,11 @@ struct ChainLaws {
   std::string hinge = "elastic";  ///< a row of hinge_laws()
 };
 
-/// Receives the solution. Spans with one entry a node.
+/// Receives the solution.
 struct ChainSolution {
-  std::span<Vec3> relative_velocity;  ///< w = v − kappa·x, m/s
-  std::span<double>
-      tension;  ///< λ of the rod that begins here, N (axial parts of drag couples and bending included)
+  IndexedSpan<NodeIndex, Vec3> relative_velocity;  ///< w = v − kappa·x, m/s
+  /// λ, N (axial parts of drag couples and bending included); room for a rod at every node.
+  IndexedSpan<RodIndex, double> tension;
 };
 
 /// Solves, for every fiber with nodes k and rods i,
@@ -55,8 +54,8 @@ class ChainSolver {
   void solve(const ChainProblem& problem, ChainSolution solution);
 
  private:
-  void group_fibers(const FiberState& state, Index begin, Index end);
-  void arrange_rods(const FiberState& state, const std::vector<RodDrag>& drag);
+  void group_fibers(const FiberState& state, IndexRange<FiberIndex> fibers);
+  void arrange_rods(const FiberState& state, const IndexedVector<RodIndex, RodDrag>& drag);
   void solve_group(const ChainProblem& problem, const ChainGroup& group, ChainSystem& system,
                    const ChainSolution& solution);
 
@@ -74,8 +73,8 @@ class ChainSolver {
   PerThread<ChainSystem> systems_;
 };
 
-/// Evaluates the drag of every rod for a viscosity of 1 Pa s; one entry a node, rods stand at their first
-/// node.
-[[nodiscard]] std::vector<RodDrag> unit_drag_of_rods(const FiberState& state, std::string_view law);
+/// Evaluates the drag of every rod for a viscosity of 1 Pa s.
+[[nodiscard]] IndexedVector<RodIndex, RodDrag> unit_drag_of_rods(const FiberState& state,
+                                                                 std::string_view law);
 
 }  // namespace fiberfate

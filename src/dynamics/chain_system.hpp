@@ -35,12 +35,10 @@ class ChainSystem {
 
   /// Makes room for `nodes` nodes (grows only).
   void reserve(int nodes) {
-    records_.reserve(static_cast<std::size_t>(nodes) * lanes * size);
-    factors_.reserve(static_cast<std::size_t>(nodes) * lanes * kept);
+    records_.reserve(std::size_t{lanes} * size * nodes);
+    factors_.reserve(std::size_t{lanes} * kept * nodes);
   }
-  [[nodiscard]] double* record(int node) {
-    return records_.data() + static_cast<std::ptrdiff_t>(node) * size * lanes;
-  }
+  [[nodiscard]] double* record(int node) { return records_.data() + std::ptrdiff_t{size * lanes} * node; }
   [[nodiscard]] double& at(int node, int component, int lane) {
     return record(node)[component * lanes + lane];
   }

@@ -12,8 +12,8 @@ FIBERFATE_DECLARE_KERNEL(void evaluate_forces(const ContactArrays& contacts, con
 void evaluate_forces(const ContactChunk& contacts, const ForceQuery& query, PairForce* forces) {
   const ContactArrays arrays = {
       contacts.count,
-      contacts.first.data(),
-      contacts.second.data(),
+      numbers(contacts.first).data(),
+      numbers(contacts.second).data(),
       contacts.image.data(),
       contacts.first_material.data(),
       contacts.second_material.data(),

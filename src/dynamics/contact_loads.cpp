@@ -43,8 +43,8 @@ void ContactLoads::arrange_walls(const FiberState& state) {
 
 void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& context) {
   const Mat3 strain_rate = context.flow.rate_of_strain();
-  const ForceQuery query{context.position[0].data(),
-                         context.relative_velocity[0].data(),
+  const ForceQuery query{context.position.front().data(),
+                         context.relative_velocity.front().data(),
                          strain_rate.data(),
                          context.step,
                          laws_[0].law(),
@@ -53,9 +53,8 @@ void ContactLoads::evaluate(const ContactSet& contacts, const LoadContext& conte
                          static_cast<int>(materials_),
                          friction_.law(),
                          friction_.constants().data()};
-  parallel_for_weighted(pairs_.chunk_begin(), [&](std::ptrdiff_t c) {
-    const auto i = static_cast<std::size_t>(c);
-    evaluate_forces(contacts[i], query, pairs_.forces().data() + pairs_.chunk_begin()[i]);
+  parallel_for_weighted(pairs_.chunk_begin(), [&](std::size_t c) {
+    evaluate_forces(contacts[c], query, pairs_.forces().data() + pairs_.chunk_begin()[c]);
   });
   for (std::size_t w = 0; w < walls_.size(); ++w) wall_loads_.slot(slots_[w]) = wall_load(walls_[w], context);
 }
@@ -74,7 +73,7 @@ RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& cont
   // The wall acts like the fiber's own mirror image, crossed at right angles: axes twice the height apart.
   const NormalForce& law = laws_[wall.material * (materials_ + 1)];
   const Vec3& n = wall.normal;
-  const Vec3 w = context.relative_velocity[static_cast<std::size_t>(wall.node)];
+  const Vec3 w = context.relative_velocity[wall.node];
   const Vec3 relative = w + wall.height * (context.flow.gradient * n);
   const double approach = n.dot(relative);
   const Vec3 slip = relative - approach * n;
@@ -87,7 +86,7 @@ RodLoad ContactLoads::wall_load(const WallContact& wall, const LoadContext& cont
   const double normal = stiffness * context.step;
   const double excess = normal - friction;
   const Vec3 held = friction * w + excess * n.dot(w) * n;
-  return {wall.node == wall.rod ? 0.0 : 1.0,
+  return {wall.node == first_end(wall.rod) ? 0.0 : 1.0,
           force * n - friction * slip + held,
           {friction + excess * n.x() * n.x(), friction + excess * n.y() * n.y(),
            friction + excess * n.z() * n.z(), excess * n.y() * n.z(), excess * n.z() * n.x(),

@@ -17,8 +17,8 @@ namespace fiberfate {
 
 /// What the loads of a step are linearised about.
 struct LoadContext {
-  std::span<const Vec3> position;           ///< of the nodes, m
-  std::span<const Vec3> relative_velocity;  ///< w of the last solve, one a node, m/s
+  IndexedSpan<NodeIndex, const Vec3> position;           ///< m
+  IndexedSpan<NodeIndex, const Vec3> relative_velocity;  ///< w of the last solve, m/s
   Flow flow;
   double step = 0;  ///< s
 };
@@ -64,7 +64,7 @@ class ContactLoads {
   PairForces pairs_;
   std::vector<WallContact> walls_;
   std::vector<RodLoads::Claim> claims_;  // one a wall contact
-  std::vector<Index> slots_;             // of the claims
+  std::vector<RodLoads::Slot> slots_;    // of the claims
   RodLoads wall_loads_;
 };
 

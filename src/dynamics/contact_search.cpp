@@ -20,9 +20,9 @@ class ChunkSearch {
 
   void run(RodPairs& pairs, std::vector<Index>& awake, ContactChunk& contacts) {
     contacts.clear();
-    const auto room = static_cast<std::size_t>(pairs.size()) + overrun;
+    const std::size_t room = pairs.size() + overrun;
     if (awake.size() < room) awake.resize(2 * room);
-    const int count = find_awake_pairs(pairs, neighbours_.reach().data(), awake.data());
+    const int count = find_awake_pairs(pairs, neighbours_.reach(), awake.data());
     if (count == 0) return;
     contacts.reserve(count);
     std::fill_n(awake.begin() + count, SegmentBlock::capacity / 8, awake[0]);
@@ -35,13 +35,12 @@ class ChunkSearch {
  private:
   void evaluate(RodPairs& pairs, std::span<const Index> which, ContactChunk& contacts) {
     const SegmentQuery query{
-        pairs.first.data(),         pairs.second.data(),        pairs.image.data(),
-        state_.position[0].data(),  state_.cell.lattice.data(), neighbours_.travel().data(),
-        neighbours_.ahead().data(), neighbours_.part().data(),  range_,
+        numbers(pairs.first).data(),    numbers(pairs.second).data(), pairs.image.data(),
+        state_.position.front().data(), state_.cell.lattice.data(),   neighbours_.travel().data(),
+        neighbours_.ahead().data(),     neighbours_.part().data(),    range_,
         neighbours_.widest_gap()};
     find_segment_distances(query, which.data(), static_cast<int>(which.size()), block_);
-    for (std::size_t i = 0; i < which.size(); ++i)
-      pairs.wake[static_cast<std::size_t>(which[i])] = block_.wake[i];
+    for (std::size_t i = 0; i < which.size(); ++i) pairs.wake[which[i]] = block_.wake[i];
     for (int first = 0; first < static_cast<int>(which.size()); first += 8) {
       std::uint8_t& near = block_.near[first / 8];
       for (unsigned special = near & block_.special[first / 8]; special != 0; special &= special - 1) {
@@ -56,38 +55,34 @@ class ChunkSearch {
 
   /// Decides whether a special pair is a contact; axes that cross get their normal for separation.
   [[nodiscard]] bool settle(int i) {
-    const Index first = block_.first[i];
-    const Index second = block_.second[i];
+    const RodIndex first(block_.first[i]);
+    const RodIndex second(block_.second[i]);
     if (second == first + 2 && block_.image[i] == 0 && is_exempt(second)) return false;
     if (block_.distance[i] > 0) return true;
-    const Vec3 normal = normal_across({first, second});
+    const Vec3 normal = normal_across(first, second);
     for (int d = 0; d < 3; ++d) block_.separation[d][i] = normal[d];
     return true;
   }
 
   void name_materials(ContactChunk& contacts, int begin) const {
-    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(contacts.count); ++i) {
+    for (int i = begin; i < contacts.count; ++i) {
       contacts.first_material[i] = material_of(contacts.first[i]);
       contacts.second_material[i] = material_of(contacts.second[i]);
     }
   }
 
-  [[nodiscard]] std::uint16_t material_of(Index rod) const {
-    return state_.material_id[static_cast<std::size_t>(neighbours_.fiber_of(rod))];
+  [[nodiscard]] std::uint16_t material_of(RodIndex rod) const {
+    return state_.material_id[neighbours_.fiber_of(rod)];
   }
-  [[nodiscard]] bool is_exempt(Index rod) const {
-    return (neighbours_.part()[static_cast<std::size_t>(rod)] & first_of_fiber) != 0 &&
-           state_.touches_previous[static_cast<std::size_t>(neighbours_.fiber_of(rod))] != 0;
+  [[nodiscard]] bool is_exempt(RodIndex rod) const {
+    return (neighbours_.part()[rod] & first_of_fiber) != 0 &&
+           state_.touches_previous[neighbours_.fiber_of(rod)] != 0;
   }
 
   /// Unit vector along which axes that cross exactly are pushed apart: across both.
-  [[nodiscard]] Vec3 normal_across(const std::array<Index, 2>& rods) const {
-    const auto axis = [this](Index rod) -> Vec3 {
-      const auto n = static_cast<std::size_t>(rod);
-      return state_.position[n + 1] - state_.position[n];
-    };
-    const Vec3 across = axis(rods[0]).cross(axis(rods[1]));
-    return across.squaredNorm() > 0 ? across.normalized() : axis(rods[0]).unitOrthogonal();
+  [[nodiscard]] Vec3 normal_across(RodIndex first, RodIndex second) const {
+    const Vec3 across = state_.axis(first).cross(state_.axis(second));
+    return across.squaredNorm() > 0 ? across.normalized() : state_.axis(first).unitOrthogonal();
   }
 
   const FiberState& state_;
@@ -102,9 +97,8 @@ void ContactSearch::find(const FiberState& state, NeighbourList& neighbours, dou
   const auto chunks = neighbours.chunks();
   contacts_.resize(chunks.size());
   awake_.fit();
-  parallel_for_weighted(neighbours.pairs_before(), [&](std::ptrdiff_t c) {
-    const auto i = static_cast<std::size_t>(c);
-    ChunkSearch(state, neighbours, range).run(chunks[i], awake_.mine(), contacts_[i]);
+  parallel_for_weighted(neighbours.pairs_before(), [&](std::size_t c) {
+    ChunkSearch(state, neighbours, range).run(chunks[c], awake_.mine(), contacts_[c]);
   });
 }
 

@@ -17,25 +17,26 @@ constexpr int pack_size = 8;
 }  // namespace
 
 void ContactChunk::reserve(int contacts) {
-  const std::size_t room = static_cast<std::size_t>(contacts) + pack_size - 1;
+  const std::size_t room = contacts + pack_size - 1;
   if (first.size() >= room) return;
-  for (auto* array : {&first, &second}) array->resize(2 * room, 0);
+  for (auto* array : {&first, &second}) array->resize(2 * room);
   for (auto* array : {&first_material, &second_material}) array->resize(2 * room, 0);
   for (auto* array : {&s, &t, &normal_x, &normal_y, &normal_z, &distance}) array->resize(2 * room, 0.0);
   image.resize(2 * room, 0);
 }
 
 void ContactChunk::add(const SegmentBlock& block, int pairs) {
-  const ContactColumns to = {
-      first.data() + count,   second.data() + count,
-      image.data() + count,   s.data() + count,
-      t.data() + count,       {normal_x.data() + count, normal_y.data() + count, normal_z.data() + count},
-      distance.data() + count};
+  const ContactColumns to = {numbers(first).data() + count,
+                             numbers(second).data() + count,
+                             image.data() + count,
+                             s.data() + count,
+                             t.data() + count,
+                             {normal_x.data() + count, normal_y.data() + count, normal_z.data() + count},
+                             distance.data() + count};
   count += FIBERFATE_KERNEL(add_contacts)(block, pairs, to);
 }
 
-Contact ContactChunk::at(int number) const {
-  const auto i = static_cast<std::size_t>(number);
+Contact ContactChunk::at(int i) const {
   return {first[i],
           second[i],
           s[i],

@@ -4,15 +4,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/vector.hpp"
 #include "fibers/segment_block.hpp"
 
 namespace fiberfate {
 
 /// One contact of two rods.
 struct Contact {
-  Index first = 0;
-  Index second = 0;
+  RodIndex first;
+  RodIndex second;
   double s = 0;                 ///< place on the first rod, in [0, 1]
   double t = 0;                 ///< place on the second rod, in [0, 1]
   Vec3 normal = Vec3::UnitX();  ///< from the second rod to the first
@@ -25,7 +24,7 @@ struct Contact {
 /// Contacts as a struct of arrays; every array has room for seven more than `count`.
 struct ContactChunk {
   int count = 0;
-  std::vector<Index> first, second;
+  std::vector<RodIndex> first, second;
   std::vector<std::int32_t> image;
   std::vector<std::uint16_t> first_material, second_material;
   std::vector<double> s, t, normal_x, normal_y, normal_z, distance;

@@ -26,18 +26,18 @@ double drag_dissipation(const FiberState& state, const Flow& flow, std::string_v
   double sum = 0;
   RodMotion motion;
   motion.rate_of_strain = flow.rate_of_strain();
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double radius = state.material(fiber).radius;
     const double whole = fiber_length(state, fiber);
-    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      const double length = state.rod_length[n];
-      const Vec3 p = (state.position[n + 1] - state.position[n]) / length;
-      const Vec3 turning =
-          (state.relative_velocity[n + 1] - state.relative_velocity[n]) / length + flow.gradient * p;
+    for (const RodIndex rod : state.rods(fiber)) {
+      const double length = state.rod_length[rod];
+      const Vec3 p = state.axis(rod) / length;
+      const Vec3& begin = state.relative_velocity[first_end(rod)];
+      const Vec3& end = state.relative_velocity[second_end(rod)];
+      const Vec3 turning = (end - begin) / length + flow.gradient * p;
       const Vec3 spin = flow.angular_velocity() - p.cross(turning);
       motion.direction = p;
-      motion.slip = -0.5 * (state.relative_velocity[n] + state.relative_velocity[n + 1]);
+      motion.slip = -0.5 * (begin + end);
       motion.spin = spin - p.dot(spin) * p;
       sum += rod_dissipation(row.drag(flow.viscosity, {length, radius, whole}), motion);
     }

@@ -21,30 +21,29 @@ Mat3 flow_map(const Flow& flow, double step) {
 }
 
 /// Gives every rod its length back, along its present direction, about the fiber's centroid.
-void restore_lengths(FiberState& state, Index fiber) {
-  const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
-  const auto end = static_cast<std::size_t>(state.end_node(fiber));
-  Vec3 moved = state.position[begin];
+void restore_lengths(FiberState& state, FiberIndex fiber) {
+  Vec3 moved = state.position[state.begin_node(fiber)];
   Vec3 drift = Vec3::Zero();  // of a node from where it was
   Vec3 sum = Vec3::Zero();
   double length = 0;
-  for (std::size_t n = begin; n + 1 < end; ++n) {
-    const Vec3 axis = state.position[n + 1] - moved;
-    const double stretch = state.rod_length[n] / axis.norm() - 1;
-    moved = state.position[n + 1];
+  for (const RodIndex rod : state.rods(fiber)) {
+    Vec3& end = state.position[second_end(rod)];
+    const Vec3 axis = end - moved;
+    const double stretch = state.rod_length[rod] / axis.norm() - 1;
+    moved = end;
     const Vec3 before = drift;
     drift += stretch * axis;
-    state.position[n + 1] += drift;
-    sum += 0.5 * state.rod_length[n] * (before + drift);
-    length += state.rod_length[n];
+    end += drift;
+    sum += 0.5 * state.rod_length[rod] * (before + drift);
+    length += state.rod_length[rod];
   }
   const Vec3 shift = -sum / length;
-  for (std::size_t n = begin; n < end; ++n) state.position[n] += shift;
+  for (const NodeIndex node : state.nodes(fiber)) state.position[node] += shift;
 }
 
 bool has_strayed(const FiberState& state) {
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    const auto middle = static_cast<std::size_t>((state.begin_node(fiber) + state.end_node(fiber)) / 2);
+  for (const FiberIndex fiber : state.fibers()) {
+    const NodeIndex middle = state.begin_node(fiber) + state.nodes(fiber).size() / 2;
     if (image_of(state.cell, state.position[middle]).cwiseAbs().maxCoeff() > 1) return true;
   }
   return false;
@@ -52,29 +51,30 @@ bool has_strayed(const FiberState& state) {
 
 }  // namespace
 
-void extrapolate_to_middle(const FiberState& state, const Flow& flow, double step, std::span<Vec3> middle) {
+void extrapolate_to_middle(const FiberState& state, const Flow& flow, double step,
+                           IndexedSpan<NodeIndex, Vec3> middle) {
   const double half = 0.5 * step;
-  parallel_for(state.node_count(), [&](std::ptrdiff_t k) {
-    const auto n = static_cast<std::size_t>(k);
-    const Vec3& x = state.position[n];
-    middle[n] = x + half * (flow.gradient * x + state.relative_velocity[n]);
+  parallel_for(state.nodes(), [&](NodeIndex node) {
+    const Vec3& x = state.position[node];
+    middle[node] = x + half * (flow.gradient * x + state.relative_velocity[node]);
   });
 }
 
-void move_fibers(FiberState& state, const Flow& flow, double step, std::span<const Vec3> relative_velocity,
-                 std::span<double> travelled) {
+void move_fibers(FiberState& state, const Flow& flow, double step,
+                 IndexedSpan<NodeIndex, const Vec3> relative_velocity,
+                 IndexedSpan<RodIndex, double> travelled) {
   const Mat3 affine = flow_map(flow, step);
-  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
-    const Index fiber = static_cast<Index>(f);
-    const auto begin = static_cast<std::size_t>(state.begin_node(fiber));
-    const auto end = static_cast<std::size_t>(state.end_node(fiber));
-    for (std::size_t n = begin; n < end; ++n) {
+  parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
+    for (const NodeIndex node : state.nodes(fiber)) {
       const Vec3 displacement =
-          step * (relative_velocity[n] + 0.5 * step * (flow.gradient * state.relative_velocity[n]));
-      state.position[n] = affine * state.position[n] + displacement;
-      state.relative_velocity[n] = relative_velocity[n];
-      travelled[n] = displacement.norm();
-      if (n > begin) travelled[n - 1] = std::max(travelled[n - 1], travelled[n]);
+          step * (relative_velocity[node] + 0.5 * step * (flow.gradient * state.relative_velocity[node]));
+      state.position[node] = affine * state.position[node] + displacement;
+      state.relative_velocity[node] = relative_velocity[node];
+      const double distance = displacement.norm();
+      travelled[rod_after(node)] = distance;
+      if (node == state.begin_node(fiber)) continue;
+      double& before = travelled[rod_before(node)];
+      before = std::max(before, distance);
     }
     restore_lengths(state, fiber);
   });
@@ -84,17 +84,15 @@ void move_fibers(FiberState& state, const Flow& flow, double step, std::span<con
   state.rod_steps += state.rod_count();
 }
 
-double displacement_error(const FiberState& state, double step, std::vector<double>& by_fiber,
-                          std::span<const Vec3> relative_velocity) {
-  by_fiber.resize(static_cast<std::size_t>(state.fiber_count()));
-  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
-    const Index fiber = static_cast<Index>(f);
+double displacement_error(const FiberState& state, double step, IndexedVector<FiberIndex, double>& by_fiber,
+                          IndexedSpan<NodeIndex, const Vec3> relative_velocity) {
+  by_fiber.resize(state.fiber_count());
+  parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
     double sum = 0;
-    for (auto n = static_cast<std::size_t>(state.begin_node(fiber));
-         n < static_cast<std::size_t>(state.end_node(fiber)); ++n)
-      sum += (relative_velocity[n] - state.relative_velocity[n]).squaredNorm();
+    for (const NodeIndex node : state.nodes(fiber))
+      sum += (relative_velocity[node] - state.relative_velocity[node]).squaredNorm();
     const double radius = state.material(fiber).radius;
-    by_fiber[static_cast<std::size_t>(f)] = sum / (radius * radius);
+    by_fiber[fiber] = sum / (radius * radius);
   });
   double sum = 0;
   for (const double fiber : by_fiber) sum += fiber;
@@ -111,14 +109,13 @@ bool tidy_cell(FiberState& state) {
 }
 
 void release_separated_ends(FiberState& state, double range) {
-  for (Index fiber = 1; fiber < state.fiber_count(); ++fiber) {
-    auto& touches = state.touches_previous[static_cast<std::size_t>(fiber)];
+  for (FiberIndex fiber(1); fiber < FiberIndex(state.fiber_count()); ++fiber) {
+    std::uint8_t& touches = state.touches_previous[fiber];
     if (touches == 0) continue;
-    const auto n = static_cast<std::size_t>(state.begin_node(fiber));
-    const Segment before{state.position[n - 2], state.position[n - 1]};
-    const Segment after{state.position[n], state.position[n + 1]};
-    // Once the ends lie in different images they have parted, too.
-    if (closest_points(before, after).distance > range) touches = 0;
+    const RodIndex first = rod_after(state.begin_node(fiber));
+    // The last rod of the fiber before, whose last node owns none. Once the ends lie in different images they
+    // have parted, too.
+    if (closest_points(state.segment(first - 2), state.segment(first)).distance > range) touches = 0;
   }
 }
 

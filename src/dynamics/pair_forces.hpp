@@ -46,31 +46,32 @@ class PairForces {
   /// Number of the first force of every chunk of contacts, and of all forces at the end.
   [[nodiscard]] std::span<const Index> chunk_begin() const { return chunk_begin_; }
 
-  [[nodiscard]] std::span<const Share> of_rod(Index rod) const {
-    const auto r = static_cast<std::size_t>(rod);
-    return {shares_.data() + begin_[r], static_cast<std::size_t>(begin_[r + 1] - begin_[r])};
+  [[nodiscard]] std::span<const Share> of_rod(RodIndex rod) const {
+    return {shares_.data() + begin_[rod].value(), shares_.data() + begin_[rod + 1].value()};
   }
 
  private:
+  using ShareIndex = IndexOf<struct ShareTag>;
+  using RodCursors = IndexedVector<RodIndex, ShareIndex>;
   /// Consecutive chunks of contacts.
   struct Chunks {
-    std::size_t begin, end;
+    std::ptrdiff_t begin, end;
   };
 
   void count_forces(const ContactSet& contacts);
-  [[nodiscard]] Chunks chunks_of(int dealer) const;
-  void count_shares(const ContactSet& contacts, int dealer, std::size_t nodes);
-  void begin_shares(std::size_t nodes);
-  void place_shares(const ContactSet& contacts, int dealer);
+  [[nodiscard]] Chunks chunks_of(std::size_t dealer) const;
+  void count_shares(const ContactSet& contacts, std::size_t dealer, Index nodes);
+  void begin_shares(Index nodes);
+  void place_shares(const ContactSet& contacts, std::size_t dealer);
   void sort_shares();
 
   std::vector<PairForce> forces_;
   std::vector<Index> chunk_begin_;
-  std::vector<Share> shares_;  // rod after rod
-  std::vector<Index> begin_;   // of each rod's shares
+  IndexedVector<ShareIndex, Share> shares_;  // rod after rod
+  RodCursors begin_;                         // of each rod's shares
   // Of every dealer (a thread, with a share of the chunks), by rod: how many shares it deals, then where the
   // next one goes.
-  std::vector<std::vector<Index>> next_;
+  std::vector<RodCursors> next_;
   std::vector<Index> part_begin_;  // of the shares of each thread's part of the rods
 };
 

@@ -32,7 +32,7 @@ void PairSlots::collect(const PairForces& pairs, const ChainGroup& group) {
     std::array<std::span<const PairForces::Share>, lanes> shares;
     std::size_t most = 0;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if (k < group.used[lane]) shares[lane] = pairs.of_rod(group.first[lane] + k);
+      if (k < group.used[lane]) shares[lane] = pairs.of_rod(RodIndex(group.first[lane] + k));
       most = std::max(most, shares[lane].size());
     }
     if (numbers_.size() < begin + most * lanes) numbers_.resize(2 * (begin + most * lanes));
@@ -43,7 +43,7 @@ void PairSlots::collect(const PairForces& pairs, const ChainGroup& group) {
       for (const PairForces::Share& share : shares[lane]) {
         *slot = share.number;
         slot += lanes;
-        fetch(forces[static_cast<std::size_t>(share.number / 2)]);
+        fetch(forces[share.number / 2]);
       }
     }
     begin += most * lanes;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "fibers/fiber_nodes.hpp"
 
 namespace fiberfate {
 
@@ -19,38 +19,36 @@ struct RodLoad {
   std::array<double, 6> resistance = {};  ///< N s/m
 };
 
-/// All loads, grouped by rod (a rod is numbered by its first node), in a fixed order.
+/// All loads, grouped by rod, in a fixed order.
 class RodLoads {
  public:
-  /// No load on any rod of a state with `nodes` nodes.
-  explicit RodLoads(Index nodes = 0) : begin_(static_cast<std::size_t>(nodes) + 1, 0) {}
-
+  /// The number of a load among all.
+  using Slot = IndexOf<struct LoadSlotTag>;
   /// A load before its value is known: the rod, and a key that fixes its place among the rod's loads.
   struct Claim {
-    Index rod = 0;
+    RodIndex rod;
     std::uint64_t key = 0;
   };
 
-  /// Makes one slot for each claim and tells the slots' numbers; their loads are then to be written, by any
-  /// thread. Loads of a rod are ordered by key, in whatever order they are claimed, so that sums over them
-  /// always round alike.
-  void arrange(Index nodes, std::span<const Claim> claims, std::vector<Index>& slots);
-  [[nodiscard]] RodLoad& slot(Index number) { return loads_[static_cast<std::size_t>(number)]; }
+  /// Makes one slot for each claim on a rod of a state with `nodes` nodes, and tells the slots; their loads
+  /// are then to be written, by any thread. Loads of a rod are ordered by key, in whatever order they are
+  /// claimed, so that sums over them always round alike.
+  void arrange(Index nodes, std::span<const Claim> claims, std::vector<Slot>& slots);
+  [[nodiscard]] RodLoad& slot(Slot slot) { return loads_[slot]; }
 
   [[nodiscard]] bool is_empty() const { return loads_.empty(); }
-  [[nodiscard]] std::span<const RodLoad> of_rod(Index rod) const {
-    const auto r = static_cast<std::size_t>(rod);
+  [[nodiscard]] std::span<const RodLoad> of_rod(RodIndex rod) const {
     if (loads_.empty()) return {};
-    return {loads_.data() + begin_[r], static_cast<std::size_t>(begin_[r + 1] - begin_[r])};
+    return {loads_.data() + begin_[rod].value(), loads_.data() + begin_[rod + 1].value()};
   }
 
  private:
-  void sort_rod(std::size_t rod, std::span<const Claim> claims);
+  void sort_rod(RodIndex rod, std::span<const Claim> claims);
 
-  std::vector<Index> begin_;
-  std::vector<Index> next_;
-  std::vector<Index> order_;  // claims, grouped by rod
-  std::vector<RodLoad> loads_;
+  IndexedVector<RodIndex, Slot> begin_;
+  IndexedVector<RodIndex, Slot> next_;
+  IndexedVector<Slot, std::size_t> claim_;  // that holds the slot
+  IndexedVector<Slot, RodLoad> loads_;
 };
 
 }  // namespace fiberfate

@@ -73,10 +73,10 @@ void require_simulable(const FiberState& state) {
   if (state.fiber_count() == 0) throw InputError("there are no fibers", "ask for at least one");
   require_sound(state);
   require_few_images(state, most_cells);
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double diameter = state.material(fiber).diameter();
-    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-      if (state.rod_length[static_cast<std::size_t>(k)] <= 0.999 * diameter)
+    for (const RodIndex rod : state.rods(fiber)) {
+      if (state.rod_length[rod] <= 0.999 * diameter)
         throw InputError("a rod is shorter than its diameter", "cut fibers into fewer, longer rods");
     }
   }

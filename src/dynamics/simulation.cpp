@@ -41,11 +41,9 @@ constexpr std::int64_t rods_a_thread = 1000;
 }
 
 ContactGap<double> gap_of(const FiberState& state, const Contact& contact) {
-  const auto direction = [&](Index rod) -> Vec3 {
-    const auto n = static_cast<std::size_t>(rod);
-    return (state.position[n + 1] - state.position[n]).normalized();
-  };
-  return {contact.distance, direction(contact.first).cross(direction(contact.second)).norm()};
+  const Vec3 first = state.axis(contact.first).normalized();
+  const Vec3 second = state.axis(contact.second).normalized();
+  return {contact.distance, first.cross(second).norm()};
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ struct Simulation::Parts {
 
   /// Renews everything that depends on which fibers there are.
   void fit_to_fibers() {
-    const auto nodes = static_cast<std::size_t>(state.node_count());
+    const std::size_t nodes = state.position.size();
     solver.arrange(state, {parameters.drag, parameters.hinge});
     middle.resize(nodes);
     velocity.resize(nodes);
@@ -102,12 +100,12 @@ struct Simulation::Parts {
   ContactSearch search;
   ContactLoads loads;
   ChainSolver solver;
-  std::vector<Vec3> middle;
-  std::vector<Vec3> velocity;
-  std::vector<double> tension;
-  std::vector<double> margin;
-  std::vector<double> travelled;
-  std::vector<double> error_by_fiber;
+  IndexedVector<NodeIndex, Vec3> middle;
+  IndexedVector<NodeIndex, Vec3> velocity;
+  IndexedVector<RodIndex, double> tension;
+  IndexedVector<RodIndex, double> margin;
+  IndexedVector<RodIndex, double> travelled;
+  IndexedVector<FiberIndex, double> error_by_fiber;
   bool list_is_stale = true;
   double margin_life = most_life;  // steps
   std::int64_t list_made_at = 0;   // step
@@ -152,7 +150,7 @@ StepReport Simulation::advance(double until) {
 double Simulation::Parts::try_step(const Flow& now, double step) {
   find_contacts(now, step);
   extrapolate_to_middle(state, now, step, middle);
-  std::span<const Vec3> last = state.relative_velocity;
+  IndexedSpan<NodeIndex, const Vec3> last = state.relative_velocity;
   for (int sweep = 0; sweep < parameters.contact.sweeps; ++sweep) {
     {
       const PhaseTimer timer(times, Phase::loads);
@@ -190,13 +188,12 @@ void Simulation::Parts::build_list(const Flow& now, double step) {
   tune_margins();
   const auto ahead = neighbours.ahead();
   const double mean = std::accumulate(ahead.begin(), ahead.end(), 0.0) / static_cast<double>(ahead.size());
-  margin.resize(ahead.size());
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  margin.assign(ahead.size(), 0.0);
+  for (const FiberIndex fiber : state.fibers()) {
     const double radius = state.material(fiber).radius;
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      const double wanted = margin_life * (ahead[n] + shared_speed * mean);
-      margin[n] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead[n];
+    for (const RodIndex rod : state.rods(fiber)) {
+      const double wanted = margin_life * (ahead[rod] + shared_speed * mean);
+      margin[rod] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead[rod];
     }
   }
   neighbours.build(state, loads.range(), margin);
@@ -225,13 +222,12 @@ SimulationFailure Simulation::Parts::failure(const std::string& what) const {
   FailurePlace place{state.step, state.time, -1, 0};
   place.largest_force = loads.largest_normal_force();
   double worst = -1;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      const double change = (velocity[n] - state.relative_velocity[n]).norm();
+  for (const FiberIndex fiber : state.fibers()) {
+    for (const NodeIndex node : state.nodes(fiber)) {
+      const double change = (velocity[node] - state.relative_velocity[node]).norm();
       if (std::isfinite(change) && change <= worst) continue;
       worst = std::isfinite(change) ? change : std::numeric_limits<double>::infinity();
-      place.fiber = state.birth_id[static_cast<std::size_t>(fiber)];
+      place.fiber = state.birth_id[fiber];
     }
   }
   return {what, place};

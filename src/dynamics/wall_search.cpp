@@ -16,7 +16,7 @@ struct Wall {
 std::vector<Wall> walls_of(const Cell& cell) {
   std::vector<Wall> walls;
   for (int i = 0; i < 3; ++i) {
-    if (cell.boundary[static_cast<std::size_t>(i)] != Boundary::walls) continue;
+    if (cell.boundary[i] != Boundary::walls) continue;
     const Vec3 normal = cell.lattice.inverse().row(i).transpose().normalized();
     walls.push_back({normal, 0});
     walls.push_back({-normal, -cell.height(i)});
@@ -24,13 +24,13 @@ std::vector<Wall> walls_of(const Cell& cell) {
   return walls;
 }
 
-void add_fiber(const FiberState& state, const Wall& wall, Index fiber, std::vector<WallContact>& contacts) {
-  const Index end = state.end_node(fiber);
-  for (Index k = state.begin_node(fiber); k < end; ++k) {
-    const Index rod = k + 1 < end ? k : k - 1;
-    const double height = wall.normal.dot(state.position[static_cast<std::size_t>(k)]) - wall.offset;
+void add_fiber(const FiberState& state, const Wall& wall, FiberIndex fiber,
+               std::vector<WallContact>& contacts) {
+  for (const NodeIndex node : state.nodes(fiber)) {
+    const RodIndex rod = node == state.last_node(fiber) ? rod_before(node) : rod_after(node);
+    const double height = wall.normal.dot(state.position[node]) - wall.offset;
     if (height < diameters_away * state.material(fiber).diameter())
-      contacts.push_back({k, rod, wall.normal, height, state.material_id[static_cast<std::size_t>(fiber)]});
+      contacts.push_back({node, rod, wall.normal, height, state.material_id[fiber]});
   }
 }
 
@@ -39,7 +39,7 @@ void add_fiber(const FiberState& state, const Wall& wall, Index fiber, std::vect
 std::vector<WallContact> find_wall_contacts(const FiberState& state) {
   std::vector<WallContact> contacts;
   for (const Wall& wall : walls_of(state.cell)) {
-    for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) add_fiber(state, wall, fiber, contacts);
+    for (const FiberIndex fiber : state.fibers()) add_fiber(state, wall, fiber, contacts);
   }
   return contacts;
 }

@@ -9,8 +9,8 @@ namespace fiberfate {
 
 /// One node near a wall. Of a straight rod one of the nodes is nearest to a plane, so nodes suffice.
 struct WallContact {
-  Index node = 0;
-  Index rod = 0;                ///< a rod that ends at the node
+  NodeIndex node;
+  RodIndex rod;                 ///< a rod that ends at the node
   Vec3 normal = Vec3::UnitY();  ///< from the wall into the cell
   double height = 0;            ///< of the node's axis above the wall, m
   std::uint16_t material = 0;

@@ -18,8 +18,7 @@ double tilt(const Cell& cell, int i, int j) {
 }
 
 bool may_shorten(const Cell& cell, int i, int j) {
-  const bool periodic = cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic &&
-                        cell.boundary[static_cast<std::size_t>(j)] == Boundary::periodic;
+  const bool periodic = cell.boundary[i] == Boundary::periodic && cell.boundary[j] == Boundary::periodic;
   return i != j && periodic && std::abs(tilt(cell, i, j)) > 0.5 + tilt_tolerance;
 }
 
@@ -36,8 +35,7 @@ void deform(Cell& cell, const Mat3& gradient, double duration) {
   const bool nilpotent = (strain * strain).isZero(0);
   const Mat3 deformation = nilpotent ? Mat3(Mat3::Identity() + strain) : Mat3(strain.exp());
   for (int i = 0; i < 3; ++i) {
-    if (cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic)
-      cell.lattice.col(i) = deformation * cell.lattice.col(i);
+    if (cell.boundary[i] == Boundary::periodic) cell.lattice.col(i) = deformation * cell.lattice.col(i);
   }
 }
 
@@ -72,8 +70,7 @@ IntVec3 image_of(const Cell& cell, const Vec3& point) {
   const Vec3 fraction = cell.lattice.inverse() * point;
   IntVec3 image = IntVec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    if (cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic)
-      image[i] = static_cast<int>(std::floor(fraction[i]));
+    if (cell.boundary[i] == Boundary::periodic) image[i] = static_cast<int>(std::floor(fraction[i]));
   }
   return image;
 }

@@ -11,6 +11,11 @@ struct Segment {
   Vec3 end;    ///< m
 };
 
+/// The segment moved by a vector.
+[[nodiscard]] inline Segment shifted(const Segment& segment, const Vec3& by) {
+  return {segment.begin + by, segment.end + by};
+}
+
 /// The closest points of two segments: x1 = begin1 + s (end1 − begin1), x2 = begin2 + t (end2 −
 /// begin2).
 struct ClosestPoints {

@@ -28,24 +28,25 @@ float round_up(double length) {
 }  // namespace
 
 double NeighbourList::name_fibers(const FiberState& state) {
-  fiber_of_.resize(static_cast<std::size_t>(state.node_count()));
+  fiber_of_.resize(state.rod_length.size());
   part_.assign(fiber_of_.size(), 0);
   double longest = 0;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-      fiber_of_[static_cast<std::size_t>(k)] = fiber;
-      longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
+  for (const FiberIndex fiber : state.fibers()) {
+    for (const RodIndex rod : state.rods(fiber)) {
+      fiber_of_[rod] = fiber;
+      longest = std::max(longest, state.rod_length[rod]);
     }
-    part_[static_cast<std::size_t>(state.begin_node(fiber))] |= first_of_fiber;
-    part_[static_cast<std::size_t>(state.end_node(fiber)) - 2] |= last_of_fiber;
+    part_[rod_after(state.begin_node(fiber))] |= first_of_fiber;
+    part_[rod_before(state.last_node(fiber))] |= last_of_fiber;
   }
   return longest;
 }
 
-void NeighbourList::build(const FiberState& state, double range, const std::vector<double>& margin) {
-  margin_.assign(margin.begin(), margin.end());
+void NeighbourList::build(const FiberState& state, double range,
+                          const IndexedVector<RodIndex, double>& margin) {
+  margin_ = margin;
   travel_.assign(margin_.size(), 0.0F);
-  origin_.assign(state.position.begin(), state.position.end());
+  origin_ = state.position;
   deformation_.setIdentity();
   strain_ = 0;
   range_ = range;
@@ -58,25 +59,23 @@ void NeighbourList::build(const FiberState& state, double range, const std::vect
   rounding_ = single_rounding * (state.cell.lattice.cwiseAbs().rowwise().sum().maxCoeff() + widest +
                                  longest * longest / range_);
   const Index bins = grid_.bin_count();
-  chunks_.resize(static_cast<std::size_t>((bins + chunk_size - 1) / chunk_size));
-  rods_before_.resize(chunks_.size() + 1);
-  for (std::size_t c = 0; c < rods_before_.size(); ++c)
-    rods_before_[c] = grid_.first_entry(std::min(static_cast<Index>(c) * chunk_size, bins));
+  const Index chunks = (bins + chunk_size - 1) / chunk_size;
+  const auto begin_of = [&](Index chunk) { return RodGrid::Bin(std::min(chunk * chunk_size, bins)); };
+  chunks_.resize(chunks);
+  rods_before_.clear();
+  for (Index c = 0; c <= chunks; ++c) rods_before_.push_back(grid_.first_entry(begin_of(c)).value());
   candidates_.fit();
-  parallel_for_weighted(rods_before_, [&](std::ptrdiff_t c) {
-    const Index begin = static_cast<Index>(c) * chunk_size;
-    PairCollector(state, *this, widest, candidates_.mine())
-        .run(begin, std::min(begin + chunk_size, bins), chunks_[static_cast<std::size_t>(c)]);
+  parallel_for_weighted(rods_before_, [&](Index c) {
+    PairCollector(state, *this, widest, candidates_.mine()).run({begin_of(c), begin_of(c + 1)}, chunks_[c]);
   });
   pairs_before_.assign(1, 0);
   for (const RodPairs& chunk : chunks_) pairs_before_.push_back(pairs_before_.back() + chunk.size());
 }
 
-void NeighbourList::carry(const Flow& flow, double step, std::span<const double> travelled) {
+void NeighbourList::carry(const Flow& flow, double step, IndexedSpan<RodIndex, const double> travelled) {
   const double share = strain_share(flow, step);
-  parallel_for(static_cast<std::ptrdiff_t>(travel_.size()), [&](std::ptrdiff_t rod) {
-    const auto r = static_cast<std::size_t>(rod);
-    travel_[r] = (travel_[r] + round_up(travelled[r] + share)) * (1 + 2e-7F);
+  parallel_for(travel_.indices(), [&](RodIndex rod) {
+    travel_[rod] = (travel_[rod] + round_up(travelled[rod] + share)) * (1 + 2e-7F);
   });
   Cell fluid;
   fluid.lattice = deformation_;
@@ -86,38 +85,36 @@ void NeighbourList::carry(const Flow& flow, double step, std::span<const double>
 }
 
 bool NeighbourList::look_ahead(const FiberState& state, const Flow& flow, double step) {
-  const auto nodes = static_cast<std::size_t>(state.node_count());
+  const std::size_t nodes = state.position.size();
   ahead_.resize(nodes);
   reach_.resize(nodes);
-  has_left_.assign(static_cast<std::size_t>(state.fiber_count()), 0);
+  has_left_.assign(state.fiber_count(), 0);
   const bool is_listed = travel_.size() == nodes;
   if (!is_listed) travel_.assign(nodes, 0.0F);
-  const double shrunk = is_listed ? std::exp(-strain_ - principal_rate(flow) * step) : 0.0;
-  const double share = strain_share(flow, step);
+  const Outlook outlook = {step, strain_share(flow, step),
+                           is_listed ? std::exp(-strain_ - principal_rate(flow) * step) : 0.0};
   margin_.resize(nodes, 0.0);
   origin_.resize(nodes, Vec3::Zero());
-  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
-    if (!look_ahead(state, static_cast<Index>(f), step, share, shrunk))
-      has_left_[static_cast<std::size_t>(f)] = 1;
+  parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
+    if (!look_ahead(state, fiber, outlook)) has_left_[fiber] = 1;
   });
   return std::find(has_left_.begin(), has_left_.end(), 1) == has_left_.end();
 }
 
-bool NeighbourList::look_ahead(const FiberState& state, Index fiber, double step, double share,
-                               double shrunk) {
+bool NeighbourList::look_ahead(const FiberState& state, FiberIndex fiber, const Outlook& outlook) {
   bool covers = true;
   double moved_before = 0;
   double speed_before = 0;
-  for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    const double moved = (state.position[n] - deformation_ * origin_[n]).squaredNorm();
-    const double speed = state.relative_velocity[n].norm();
-    if (k > state.begin_node(fiber)) {
-      const double ahead = step * std::max(speed, speed_before);
-      const double allowed = 0.5 * (shrunk * (range_ + 2 * margin_[n - 1]) - range_) - ahead;
+  for (const NodeIndex node : state.nodes(fiber)) {
+    const double moved = (state.position[node] - deformation_ * origin_[node]).squaredNorm();
+    const double speed = state.relative_velocity[node].norm();
+    if (node > state.begin_node(fiber)) {
+      const RodIndex rod = rod_before(node);
+      const double ahead = outlook.step * std::max(speed, speed_before);
+      const double allowed = 0.5 * (outlook.shrunk * (range_ + 2 * margin_[rod]) - range_) - ahead;
       covers = covers && allowed > 0 && std::max(moved, moved_before) <= allowed * allowed;
-      ahead_[n - 1] = round_up(ahead + share);
-      reach_[n - 1] = (travel_[n - 1] + ahead_[n - 1]) * (1 + 2e-7F);
+      ahead_[rod] = round_up(ahead + outlook.strain_share);
+      reach_[rod] = (travel_[rod] + ahead_[rod]) * (1 + 2e-7F);
     }
     moved_before = moved;
     speed_before = speed;

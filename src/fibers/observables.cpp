@@ -12,26 +12,20 @@ namespace {
 template <class Visit>
 void visit_rods(const FiberState& state, Weighting weighting, const Visit& visit) {
   double total = 0;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber)
+  for (const FiberIndex fiber : state.fibers())
     total += weighting == Weighting::length ? fiber_length(state, fiber) : 1.0;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double share = weighting == Weighting::length ? total : total * fiber_length(state, fiber);
-    for (Index node = state.begin_node(fiber); node + 1 < state.end_node(fiber); ++node) {
-      const auto k = static_cast<std::size_t>(node);
-      const Vec3 direction = (state.position[k + 1] - state.position[k]).normalized();
-      visit(direction, state.rod_length[k] / share);
-    }
+    for (const RodIndex rod : state.rods(fiber))
+      visit(state.axis(rod).normalized(), state.rod_length[rod] / share);
   }
 }
 
 /// Calls visit(radius) for every hinge, in order of nodes.
 template <class Visit>
 void visit_hinges(const FiberState& state, const Visit& visit) {
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    for (Index node = state.begin_node(fiber) + 1; node + 1 < state.end_node(fiber); ++node) {
-      const auto k = static_cast<std::size_t>(node);
-      visit(hinge_radius(state.position[k - 1], state.position[k], state.position[k + 1]));
-    }
+  for (const FiberIndex fiber : state.fibers()) {
+    for (const NodeIndex hinge : state.hinges(fiber)) visit(hinge_radius(state, hinge));
   }
 }
 
@@ -40,7 +34,7 @@ void visit_hinges(const FiberState& state, const Visit& visit) {
 MeanLengths mean_lengths(const FiberState& state) {
   double sum = 0;
   double sum_of_squares = 0;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double length = fiber_length(state, fiber);
     sum += length;
     sum_of_squares += length * length;
@@ -70,11 +64,11 @@ std::vector<double> length_histogram(const FiberState& state, std::span<const do
                                      Weighting weighting) {
   assert(edges.size() >= 2 && std::is_sorted(edges.begin(), edges.end()));
   std::vector<double> bins(edges.size() - 1, 0.0);
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double length = fiber_length(state, fiber);
     if (length < edges.front() || length > edges.back()) continue;
     const auto above = std::upper_bound(edges.begin(), edges.end(), length);
-    const auto bin = std::min(static_cast<std::size_t>(above - edges.begin()), bins.size()) - 1;
+    const auto bin = std::min(above - edges.begin(), std::ssize(bins)) - 1;
     bins[bin] += weighting == Weighting::length ? length : 1.0;
   }
   return bins;
@@ -82,7 +76,7 @@ std::vector<double> length_histogram(const FiberState& state, std::span<const do
 
 std::vector<double> hinge_radii(const FiberState& state) {
   std::vector<double> radii;
-  radii.reserve(static_cast<std::size_t>(state.node_count()));
+  radii.reserve(state.position.size());
   visit_hinges(state, [&](double radius) { radii.push_back(radius); });
   return radii;
 }

@@ -30,7 +30,7 @@ WrappedBin wrap(int bin, int bins) {
 
 }  // namespace
 
-void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<double>& margin) {
+void RodGrid::fill(const FiberState& state, double bin_width, const IndexedVector<RodIndex, double>& margin) {
   boundary_ = state.cell.boundary;
   to_fraction_ = state.cell.lattice.inverse();
   const double most = std::max(1.0, 2 * std::cbrt(bins_per_rod * state.rod_count()));
@@ -47,9 +47,8 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
   rod.resize(rods);
   image.resize(rods);
   // Entry after entry: threads that wrote into one another's cache lines would wait for them.
-  parallel_for(static_cast<std::ptrdiff_t>(rods), [&](std::ptrdiff_t entry) {
-    const auto e = static_cast<std::size_t>(entry);
-    const BinnedRod& one = unsorted_[static_cast<std::size_t>(source_[e])];
+  parallel_for(rod.indices(), [&](Entry e) {
+    const BinnedRod& one = unsorted_[source_[e]];
     x[e] = one.midpoint[0];
     y[e] = one.midpoint[1];
     z[e] = one.midpoint[2];
@@ -57,54 +56,50 @@ void RodGrid::fill(const FiberState& state, double bin_width, const std::vector<
     axis_y[e] = one.axis[1];
     axis_z[e] = one.axis[2];
     half_length[e] = one.half_length;
-    margin_of[e] = static_cast<float>(margin[static_cast<std::size_t>(one.rod)]);
+    margin_of[e] = static_cast<float>(margin[one.rod]);
     rod[e] = one.rod;
     image[e] = one.image;
   });
 }
 
 void RodGrid::bin_rods(const FiberState& state) {
-  unsorted_.resize(static_cast<std::size_t>(state.rod_count()));
-  parallel_for_weighted(state.first_node, [&](std::ptrdiff_t f) {
-    const Index fiber = static_cast<Index>(f);
-    for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-      const auto n = static_cast<std::size_t>(k);
-      const Vec3 midpoint = 0.5 * (state.position[n] + state.position[n + 1]);
-      const Vec3 axis = state.position[n + 1] - state.position[n];
-      const double length = axis.norm();
-      const Vec3 fraction = to_fraction_ * midpoint;
-      Vec3 wrapped = midpoint;
-      BinnedRod one{};
-      for (int i = 0; i < 3; ++i) {
-        if (boundary_[static_cast<std::size_t>(i)] != Boundary::periodic) continue;
-        const double turns = std::floor(fraction[i]);
-        one.image[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(turns);
-        wrapped -= turns * state.cell.lattice.col(i);
-      }
-      for (int i = 0; i < 3; ++i) {
-        one.midpoint[static_cast<std::size_t>(i)] = static_cast<float>(wrapped[i]);
-        one.axis[static_cast<std::size_t>(i)] = static_cast<float>(axis[i] / length);
-      }
-      one.half_length = static_cast<float>(0.5 * length);
-      one.rod = k;
-      one.bin = static_cast<Index>(bin_index(bin_at(wrapped)));
-      unsorted_[static_cast<std::size_t>(k - fiber)] = one;
-    }
+  unsorted_.resize(state.rod_count());
+  parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
+    // One node a fiber, its last one, owns no rod.
+    for (const RodIndex one : state.rods(fiber)) unsorted_[one.value() - fiber.value()] = binned(state, one);
   });
+}
+
+RodGrid::BinnedRod RodGrid::binned(const FiberState& state, RodIndex rod) const {
+  const Vec3 axis = state.axis(rod);
+  const double length = axis.norm();
+  Vec3 wrapped = state.centre(rod);
+  const Vec3 fraction = to_fraction_ * wrapped;
+  BinnedRod one{};
+  for (int i = 0; i < 3; ++i) {
+    if (boundary_[i] != Boundary::periodic) continue;
+    const double turns = std::floor(fraction[i]);
+    one.image[i] = static_cast<std::int16_t>(turns);
+    wrapped -= turns * state.cell.lattice.col(i);
+  }
+  for (int i = 0; i < 3; ++i) {
+    one.midpoint[i] = static_cast<float>(wrapped[i]);
+    one.axis[i] = static_cast<float>(axis[i] / length);
+  }
+  one.half_length = static_cast<float>(0.5 * length);
+  one.rod = rod;
+  one.bin = bin_index(bin_at(wrapped));
+  return one;
 }
 
 /// Finds the rod of every entry: by bin, then by rod.
 void RodGrid::sort_bins() {
-  begin_.assign(static_cast<std::size_t>(bins_[0]) * static_cast<std::size_t>(bins_[1] * bins_[2]) + 1, 0);
-  source_.resize(unsorted_.size());
   // A bin's first entry is counted two bins further on, so that, advanced in placing, it ends up in place.
-  begin_.push_back(0);
-  for (const BinnedRod& one : unsorted_) ++begin_[static_cast<std::size_t>(one.bin) + 2];
-  for (std::size_t b = 2; b < begin_.size(); ++b) begin_[b] += begin_[b - 1];
-  for (std::size_t i = 0; i < unsorted_.size(); ++i) {
-    const auto entry = begin_[static_cast<std::size_t>(unsorted_[i].bin) + 1]++;
-    source_[static_cast<std::size_t>(entry)] = static_cast<Index>(i);
-  }
+  begin_.assign(static_cast<std::size_t>(bins_[0]) * bins_[1] * bins_[2] + 2, Entry(0));
+  source_.resize(unsorted_.size());
+  for (const BinnedRod& one : unsorted_) ++begin_[one.bin + 2];
+  for (Bin bin(2); bin < Bin(begin_.size()); ++bin) begin_[bin] = begin_[bin] + begin_[bin - 1].value();
+  for (Index i = 0; i < std::ssize(unsorted_); ++i) source_[begin_[unsorted_[i].bin + 1]++] = i;
   begin_.pop_back();
 }
 
@@ -118,21 +113,22 @@ std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
   return bin;
 }
 
-RodGrid::Block RodGrid::block_around(Index bin, double reach) const {
+RodGrid::Block RodGrid::block_around(Bin bin, double reach) const {
   Block block;
-  block.centre = {bin / (bins_[1] * bins_[2]), bin / bins_[2] % bins_[1], bin % bins_[2]};
+  const int number = bin.value();
+  block.centre = {number / (bins_[1] * bins_[2]), number / bins_[2] % bins_[1], number % bins_[2]};
   for (std::size_t i = 0; i < 3; ++i) {
     const int span = static_cast<int>(std::ceil(reach * bins_[i] / height_[i]));
     block.low[i] = block.centre[i] - span;
     block.high[i] = block.centre[i] + span;
-    if (boundary_[static_cast<std::size_t>(direction[i])] == Boundary::periodic) continue;
+    if (boundary_[direction[i]] == Boundary::periodic) continue;
     block.low[i] = std::max(block.low[i], 0);
     block.high[i] = std::min(block.high[i], bins_[i] - 1);
   }
   return block;
 }
 
-void RodGrid::runs_ahead(Index bin, double reach, std::vector<Run>& runs) const {
+void RodGrid::runs_ahead(Bin bin, double reach, std::vector<Run>& runs) const {
   runs.clear();
   Block block = block_around(bin, reach);
   const int low = block.low[2];
@@ -153,8 +149,8 @@ void RodGrid::add_row(const Block& block, int i, int j, std::vector<Run>& runs) 
   while (third <= block.high[2]) {
     const WrappedBin wrapped = wrap(third, bins_[2]);
     const int length = std::min(block.high[2] - third + 1, bins_[2] - wrapped.bin);
-    const std::size_t from = bin_index({first.bin, second.bin, wrapped.bin});
-    Run run{begin_[from], begin_[from + static_cast<std::size_t>(length)]};
+    const Bin from = bin_index({first.bin, second.bin, wrapped.bin});
+    Run run{begin_[from], begin_[from + length]};
     run.shift[direction[0]] = first.turns;
     run.shift[direction[1]] = second.turns;
     run.shift[direction[2]] = wrapped.turns;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/vector.hpp"
+#include "fibers/fiber_nodes.hpp"
 
 namespace fiberfate {
 
@@ -31,8 +31,8 @@ inline constexpr int farthest_image = 511;
 
 /// Lists pairs of a rod and the image of a rod (possibly of itself): struct of arrays.
 struct RodPairs {
-  std::vector<Index> first;
-  std::vector<Index> second;
+  std::vector<RodIndex> first;
+  std::vector<RodIndex> second;
   std::vector<std::int32_t> image;  ///< packed; second stands at x + H · image
   std::vector<float> wake;  ///< the pair cannot matter before the travels of its two rods add up to this, m
 
@@ -40,11 +40,12 @@ struct RodPairs {
 
   /// Empties the list and keeps its memory.
   void clear() {
-    for (auto* array : {&first, &second, &image}) array->clear();
+    for (auto* array : {&first, &second}) array->clear();
+    image.clear();
     wake.clear();
     padding_ = 0;
   }
-  void add(Index one, Index other, std::int32_t packed_image, float wakes) {
+  void add(RodIndex one, RodIndex other, std::int32_t packed_image, float wakes) {
     first.push_back(one);
     second.push_back(other);
     image.push_back(packed_image);
@@ -52,7 +53,7 @@ struct RodPairs {
   }
   /// Adds pairs that never wake, so that packs of sixteen may be read up to the end.
   void pad() {
-    for (padding_ = 0; padding_ < 16; ++padding_) add(0, 0, 0, std::numeric_limits<float>::infinity());
+    for (padding_ = 0; padding_ < 16; ++padding_) add({}, {}, 0, std::numeric_limits<float>::infinity());
   }
 
  private:

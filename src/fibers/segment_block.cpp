@@ -14,11 +14,11 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
   return FIBERFATE_KERNEL(find_segment_distances)(query, which, count, block);
 }
 
-int find_awake_pairs(const RodPairs& pairs, const float* reach, Index* awake) {
-  const Index* first = pairs.first.data();
-  const Index* second = pairs.second.data();
+int find_awake_pairs(const RodPairs& pairs, IndexedSpan<RodIndex, const float> reach, Index* awake) {
+  const Index* first = numbers(pairs.first).data();
+  const Index* second = numbers(pairs.second).data();
   const float* wake = pairs.wake.data();
-  return FIBERFATE_KERNEL(find_awake_pairs)(first, second, wake, pairs.size(), reach, awake);
+  return FIBERFATE_KERNEL(find_awake_pairs)(first, second, wake, pairs.size(), reach.data(), awake);
 }
 
 }  // namespace fiberfate

@@ -57,6 +57,6 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
 /// Writes the numbers of those of `count` pairs whose rods may have come near, reach[first] + reach[second]
 /// >= wake, and returns how many. Arrays of pairs are padded to a multiple of sixteen; `awake` has room for
 /// count + 16.
-int find_awake_pairs(const RodPairs& pairs, const float* reach, Index* awake);
+int find_awake_pairs(const RodPairs& pairs, IndexedSpan<RodIndex, const float> reach, Index* awake);
 
 }  // namespace fiberfate

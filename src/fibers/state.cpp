@@ -16,25 +16,19 @@ namespace {
 // bending.
 constexpr double straightness = 1e-12;
 
-/// The nodes [begin, end) of a fiber.
-struct FiberPart {
-  Index fiber, begin, end;
-};
-
-void copy_part(const FiberState& whole, FiberPart part, FiberState& parts) {
-  const auto f = static_cast<std::size_t>(part.fiber);
-  const Index offset = part.begin - whole.begin_node(part.fiber);
-  for (Index k = part.begin; k < part.end; ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    parts.position.push_back(whole.position[n]);
-    parts.relative_velocity.push_back(whole.relative_velocity[n]);
-    parts.rod_length.push_back(k + 1 == part.end ? 0 : whole.rod_length[n]);
+void copy_part(const FiberState& whole, FiberIndex fiber, IndexRange<NodeIndex> nodes, FiberState& parts) {
+  const Index offset = nodes.front() - whole.begin_node(fiber);
+  for (const NodeIndex node : nodes) {
+    parts.position.push_back(whole.position[node]);
+    parts.relative_velocity.push_back(whole.relative_velocity[node]);
+    parts.rod_length.push_back(whole.rod_length[rod_after(node)]);
   }
-  parts.first_node.push_back(parts.node_count());
-  parts.birth_id.push_back(whole.birth_id[f]);
-  parts.birth_node.push_back(whole.birth_node[f] + static_cast<std::uint32_t>(offset));
-  parts.material_id.push_back(whole.material_id[f]);
-  parts.touches_previous.push_back(offset > 0 ? 1 : whole.touches_previous[f]);
+  parts.rod_length.back() = 0;
+  parts.first_node.push_back(NodeIndex(parts.node_count()));
+  parts.birth_id.push_back(whole.birth_id[fiber]);
+  parts.birth_node.push_back(whole.birth_node[fiber] + static_cast<std::uint32_t>(offset));
+  parts.material_id.push_back(whole.material_id[fiber]);
+  parts.touches_previous.push_back(offset > 0 ? 1 : whole.touches_previous[fiber]);
 }
 
 }  // namespace
@@ -62,23 +56,21 @@ void append_fiber(FiberState& state, const FiberShape& fiber) {
   state.birth_node.push_back(0);
   state.material_id.push_back(fiber.material_id);
   state.touches_previous.push_back(0);
-  state.first_node.push_back(state.node_count());
+  state.first_node.push_back(NodeIndex(state.node_count()));
 }
 
-double fiber_length(const FiberState& state, Index fiber) {
+double fiber_length(const FiberState& state, FiberIndex fiber) {
   double length = 0;
-  for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k)
-    length += state.rod_length[static_cast<std::size_t>(k)];
+  for (const RodIndex rod : state.rods(fiber)) length += state.rod_length[rod];
   return length;
 }
 
-Vec3 fiber_centroid(const FiberState& state, Index fiber) {
+Vec3 fiber_centroid(const FiberState& state, FiberIndex fiber) {
   Vec3 moment = Vec3::Zero();
   double length = 0;
-  for (Index k = state.begin_node(fiber); k + 1 < state.end_node(fiber); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    moment += state.rod_length[i] * 0.5 * (state.position[i] + state.position[i + 1]);
-    length += state.rod_length[i];
+  for (const RodIndex rod : state.rods(fiber)) {
+    moment += state.rod_length[rod] * state.centre(rod);
+    length += state.rod_length[rod];
   }
   return moment / length;
 }
@@ -94,17 +86,17 @@ double hinge_radius(const Vec3& before, const Vec3& at, const Vec3& after) {
   return product * (after - before).norm() / (2 * cross);
 }
 
-void split_fibers(FiberState& state, std::span<const Index> nodes) {
+void split_fibers(FiberState& state, std::span<const NodeIndex> nodes) {
   if (nodes.empty()) return;
   FiberState parts;
   auto next = nodes.begin();
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    Index begin = state.begin_node(fiber);
+  for (const FiberIndex fiber : state.fibers()) {
+    NodeIndex begin = state.begin_node(fiber);
     while (next != nodes.end() && *next < state.end_node(fiber)) {
-      copy_part(state, {fiber, begin, *next + 1}, parts);
+      copy_part(state, fiber, {begin, *next + 1}, parts);
       begin = *next++;
     }
-    copy_part(state, {fiber, begin, state.end_node(fiber)}, parts);
+    copy_part(state, fiber, {begin, state.end_node(fiber)}, parts);
   }
   state.position.swap(parts.position);
   state.relative_velocity.swap(parts.relative_velocity);
@@ -118,19 +110,18 @@ void split_fibers(FiberState& state, std::span<const Index> nodes) {
 }
 
 void wrap_fibers(FiberState& state) {
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const IntVec3 image = image_of(state.cell, fiber_centroid(state, fiber));
     if (image.isZero()) continue;
     const Vec3 shift = state.cell.shift(image);
-    for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k)
-      state.position[static_cast<std::size_t>(k)] -= shift;
+    for (const NodeIndex node : state.nodes(fiber)) state.position[node] -= shift;
   }
 }
 
 void number_by_height(FiberState& state) {
   const Mat3 to_fraction = state.cell.lattice.inverse();
-  std::vector<std::pair<double, Index>> order;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  std::vector<std::pair<double, FiberIndex>> order;
+  for (const FiberIndex fiber : state.fibers()) {
     const double height = to_fraction.row(1).dot(fiber_centroid(state, fiber));
     order.emplace_back(height - std::floor(height), fiber);
   }
@@ -138,17 +129,14 @@ void number_by_height(FiberState& state) {
   FiberState numbered;
   numbered.materials = state.materials;
   numbered.cell = state.cell;
-  for (const auto& [height, fiber] : order) {
-    const Vec3* nodes = state.position.data();
-    append_fiber(numbered, {{nodes + state.begin_node(fiber), nodes + state.end_node(fiber)},
-                            state.material_id[static_cast<std::size_t>(fiber)]});
-  }
+  for (const auto& [height, fiber] : order)
+    append_fiber(numbered, {state.positions(fiber), state.material_id[fiber]});
   state = std::move(numbered);
 }
 
 double volume_fraction(const FiberState& state) {
   double volume = 0;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double radius = state.material(fiber).radius;
     volume += pi * radius * radius * fiber_length(state, fiber);
   }

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "base/vector.hpp"
 #include "fibers/cell.hpp"
 #include "fibers/contact_laws/contact_parameters.hpp"
+#include "fibers/fiber_nodes.hpp"
 
 namespace fiberfate {
 
@@ -27,26 +27,18 @@ struct FiberMaterial {
   return {material.radius, material.youngs_modulus};
 }
 
-/// All fibers as a struct of arrays.
-///
-/// A fiber is a chain of rods between nodes; node k and node k+1 of one fiber bound rod k, so rods are
-/// numbered by their first node and the last node of a fiber owns no rod. Nodes of a fiber are contiguous and
-/// unwrapped. Velocities are kept relative to the fluid, w = v − kappa·x: then re-choosing a fiber's image
-/// changes no velocity.
-struct FiberState {
-  // One entry a node.
-  std::vector<Vec3> position;           ///< x, m
-  std::vector<Vec3> relative_velocity;  ///< w = v − kappa·x of the last step, m/s
-  std::vector<double> rod_length;       ///< l of the rod that begins here, m; 0 at a fiber's last node
+/// All fibers as a struct of arrays; positions are in m. Velocities are kept relative to the fluid, w = v −
+/// kappa·x: then re-choosing a fiber's image changes no velocity.
+struct FiberState : FiberNodes {
+  IndexedVector<NodeIndex, Vec3> relative_velocity;  ///< w = v − kappa·x of the last step, m/s
+  IndexedVector<RodIndex, double> rod_length;        ///< l, m; 0 at the number of a fiber's last node
 
-  // One entry a fiber.
-  std::vector<Index> first_node = {0};     ///< CSR offsets, fibers + 1 entries
-  std::vector<std::uint32_t> birth_id;     ///< number of the original fiber
-  std::vector<std::uint32_t> birth_node;   ///< index of the first node along the original fiber
-  std::vector<std::uint16_t> material_id;  ///< index into materials
+  IndexedVector<FiberIndex, std::uint32_t> birth_id;     ///< number of the original fiber
+  IndexedVector<FiberIndex, std::uint32_t> birth_node;   ///< place of the first node along the original fiber
+  IndexedVector<FiberIndex, std::uint16_t> material_id;  ///< index into materials
   /// 1 while the fiber's first rod still touches the rod it broke off (the last one of the fiber stored
   /// before it): that pair is exempt from contact until it has separated.
-  std::vector<std::uint8_t> touches_previous;
+  IndexedVector<FiberIndex, std::uint8_t> touches_previous;
 
   std::vector<FiberMaterial> materials;
   Cell cell;
@@ -59,14 +51,8 @@ struct FiberState {
       0;                    ///< checks done so far; the next one is due at its multiple of the interval
   std::int64_t breaks = 0;  ///< hinges broken so far
 
-  [[nodiscard]] Index fiber_count() const { return static_cast<Index>(first_node.size()) - 1; }
-  [[nodiscard]] Index node_count() const { return static_cast<Index>(position.size()); }
-  [[nodiscard]] Index rod_count() const { return node_count() - fiber_count(); }
-  [[nodiscard]] Index rod_count(Index fiber) const { return end_node(fiber) - begin_node(fiber) - 1; }
-  [[nodiscard]] Index begin_node(Index fiber) const { return first_node[static_cast<std::size_t>(fiber)]; }
-  [[nodiscard]] Index end_node(Index fiber) const { return first_node[static_cast<std::size_t>(fiber) + 1]; }
-  [[nodiscard]] const FiberMaterial& material(Index fiber) const {
-    return materials[material_id[static_cast<std::size_t>(fiber)]];
+  [[nodiscard]] const FiberMaterial& material(FiberIndex fiber) const {
+    return materials[material_id[fiber]];
   }
 };
 
@@ -82,19 +68,22 @@ struct FiberShape {
 void append_fiber(FiberState& state, const FiberShape& fiber);
 
 /// Length of a fiber: the sum of its rods' lengths, m.
-[[nodiscard]] double fiber_length(const FiberState& state, Index fiber);
+[[nodiscard]] double fiber_length(const FiberState& state, FiberIndex fiber);
 
 /// Mean of a fiber's node positions weighted by the adjoining rods' lengths, m.
-[[nodiscard]] Vec3 fiber_centroid(const FiberState& state, Index fiber);
+[[nodiscard]] Vec3 fiber_centroid(const FiberState& state, FiberIndex fiber);
 
 /// Radius of the circle through the three nodes at an inner node (hinge), m; infinity where they are on a
 /// line. For equal rods R = l / (2 sin(theta/2)) with theta the turning angle.
 [[nodiscard]] double hinge_radius(const Vec3& before, const Vec3& at, const Vec3& after);
+[[nodiscard]] inline double hinge_radius(const FiberState& state, NodeIndex hinge) {
+  return hinge_radius(state.position[hinge - 1], state.position[hinge], state.position[hinge + 1]);
+}
 
 /// Splits fibers at the given inner nodes (strictly increasing); the parts are stored where the whole was, in
 /// order. Each such node is doubled; lengths, rod count, velocities and material positions are conserved
 /// exactly.
-void split_fibers(FiberState& state, std::span<const Index> nodes);
+void split_fibers(FiberState& state, std::span<const NodeIndex> nodes);
 
 /// Numbers the fibers of a state that has not moved yet by height: by their centroids' places along the
 /// second lattice vector, the gradient direction of a shear. Threads step consecutive fibers, and in a shear

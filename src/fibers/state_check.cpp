@@ -11,8 +11,8 @@
 namespace fiberfate {
 namespace {
 
-std::string name_of(const FiberState& state, Index fiber) {
-  return "fiber " + std::to_string(state.birth_id[static_cast<std::size_t>(fiber)]);
+std::string name_of(const FiberState& state, FiberIndex fiber) {
+  return "fiber " + std::to_string(state.birth_id[fiber]);
 }
 
 void require_cell(const Cell& cell) {
@@ -33,16 +33,16 @@ void require_materials(const FiberState& state) {
   }
 }
 
-void require_fiber(const FiberState& state, Index fiber) {
+void require_fiber(const FiberState& state, FiberIndex fiber) {
   const char* remedy = "take a state that was written whole, or make the fibers anew";
-  for (Index k = state.begin_node(fiber); k < state.end_node(fiber); ++k) {
-    const auto n = static_cast<std::size_t>(k);
-    if (!state.position[n].allFinite())
+  for (const NodeIndex node : state.nodes(fiber)) {
+    if (!state.position[node].allFinite())
       throw InputError(name_of(state, fiber) + " has a node that is not finite", remedy);
-    if (!state.relative_velocity[n].allFinite())
+    if (!state.relative_velocity[node].allFinite())
       throw InputError(name_of(state, fiber) + " has a velocity that is not finite", remedy);
-    const bool owns_rod = k + 1 < state.end_node(fiber);
-    if (owns_rod && !(state.rod_length[n] > 0 && std::isfinite(state.rod_length[n])))
+  }
+  for (const RodIndex rod : state.rods(fiber)) {
+    if (!(state.rod_length[rod] > 0 && std::isfinite(state.rod_length[rod])))
       throw InputError(name_of(state, fiber) + " has a rod without a length", remedy);
   }
 }
@@ -52,16 +52,15 @@ void require_fiber(const FiberState& state, Index fiber) {
 void require_sound(const FiberState& state) {
   require_cell(state.cell);
   require_materials(state);
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) require_fiber(state, fiber);
+  for (const FiberIndex fiber : state.fibers()) require_fiber(state, fiber);
 }
 
 void require_few_images(const FiberState& state, double most) {
   double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    if (state.cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic)
-      lowest = std::min(lowest, state.cell.height(i));
+    if (state.cell.boundary[i] == Boundary::periodic) lowest = std::min(lowest, state.cell.height(i));
   }
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     const double times = fiber_length(state, fiber) / lowest;
     if (times <= most) continue;
     throw InputError(name_of(state, fiber) + " is " + std::to_string(std::lround(times)) +

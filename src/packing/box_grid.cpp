@@ -20,10 +20,9 @@ constexpr double boxes_a_rod = 64;
 
 /// Number of boxes in each direction that are about `farthest` wide; wider where there would be too many.
 IntVec3 box_count(const Chains& chains, double farthest) {
-  const auto rods = static_cast<double>(chains.position.size() - chains.rod_length.size());
   Vec3 count;
   for (int i = 0; i < 3; ++i) count[i] = std::max(1.0, chains.cell.height(i) * refinement / farthest);
-  const double most = boxes_a_rod * std::max(rods, 1.0);
+  const double most = boxes_a_rod * std::max(chains.rod_count(), 1);
   for (int i = 0; count.prod() > most && i < 3; ++i) {
     Eigen::Index widest = 0;
     const double largest = count.maxCoeff(&widest);
@@ -35,9 +34,9 @@ IntVec3 box_count(const Chains& chains, double farthest) {
 /// Largest centre distance of two rods that may be listed.
 double farthest_centres(const Chains& chains, const NeighbourRange& range) {
   double longest = 0, thickest = 0;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-    longest = std::max(longest, chains.rod_length[f]);
-    thickest = std::max(thickest, chains.radius[f] * chains.swelling[f]);
+  for (const FiberIndex fiber : chains.fibers()) {
+    longest = std::max(longest, chains.rod_length[fiber]);
+    thickest = std::max(thickest, chains.radius[fiber] * chains.swelling[fiber]);
   }
   return longest + 2 * thickest * range.swelling + range.reach + range.skin;
 }
@@ -50,11 +49,9 @@ BoxGrid::BoxGrid(const Chains& chains, const NeighbourRange& range)
   count_ = box_count(chains, farthest);
   for (int i = 0; i < 3; ++i) {
     const double height = chains.cell.height(i);
-    const auto direction = static_cast<std::size_t>(i);
-    periodic_[direction] = chains.cell.boundary[direction] == Boundary::periodic;
+    periodic_[i] = chains.cell.boundary[i] == Boundary::periodic;
     span_[i] = static_cast<int>(std::ceil(farthest * count_[i] / height));
-    if (periodic_[direction])
-      farthest_image_ = std::max(farthest_image_, (span_[i] + count_[i] - 1) / count_[i]);
+    if (periodic_[i]) farthest_image_ = std::max(farthest_image_, (span_[i] + count_[i] - 1) / count_[i]);
   }
 }
 
@@ -66,22 +63,22 @@ IntVec3 BoxGrid::box(const Vec3& point) const {
   return at;
 }
 
-std::int32_t BoxGrid::number(const IntVec3& box) const {
-  return (box[2] * count_[1] + box[1]) * count_[0] + box[0];
+BoxIndex BoxGrid::number(const IntVec3& box) const {
+  return BoxIndex((box[2] * count_[1] + box[1]) * count_[0] + box[0]);
 }
 
 IntVec3 BoxGrid::image(const IntVec3& box) const {
   return {floor_divide(box[0], count_[0]), floor_divide(box[1], count_[1]), floor_divide(box[2], count_[2])};
 }
 
-std::int32_t BoxGrid::number_of_image(const IntVec3& image) const {
+ImageIndex BoxGrid::number_of_image(const IntVec3& image) const {
   const int side = 2 * farthest_image_ + 1;
-  return ((image[2] + farthest_image_) * side + image[1] + farthest_image_) * side + image[0] +
-         farthest_image_;
+  return ImageIndex(((image[2] + farthest_image_) * side + image[1] + farthest_image_) * side + image[0] +
+                    farthest_image_);
 }
 
 BoxRange BoxGrid::around(const IntVec3& box, int i) const {
-  if (periodic_[static_cast<std::size_t>(i)]) return {box[i] - span_[i], box[i] + span_[i]};
+  if (periodic_[i]) return {box[i] - span_[i], box[i] + span_[i]};
   return {std::max(0, box[i] - span_[i]), std::min(count_[i] - 1, box[i] + span_[i])};
 }
 

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
-#include "base/vector.hpp"
 #include "packing/chains.hpp"
 
 namespace fiberfate {
+
+/// Numbers boxes of the cell, images of the cell, and rods in the order of the boxes that they lie in.
+using BoxIndex = IndexOf<struct BoxTag>;
+using ImageIndex = IndexOf<struct ImageTag>;
+using SlotIndex = IndexOf<struct SlotTag>;
 
 /// How far to look: pairs are listed whose axes are nearer than swelling · (sum of radii) + reach +
 /// skin.
@@ -32,18 +34,17 @@ class BoxGrid {
   /// The box of a point of the cell; points beyond walls belong to the outermost box.
   [[nodiscard]] IntVec3 box(const Vec3& point) const;
   /// The number of a box inside the cell; boxes that differ in the first index only are numbered in a row.
-  [[nodiscard]] std::int32_t number(const IntVec3& box) const;
+  [[nodiscard]] BoxIndex number(const IntVec3& box) const;
   /// The image of the cell in which a box lies.
   [[nodiscard]] IntVec3 image(const IntVec3& box) const;
-  [[nodiscard]] std::int32_t number_of_image(const IntVec3& image) const;
+  [[nodiscard]] ImageIndex number_of_image(const IntVec3& image) const;
   /// The boxes in direction i that neighbours of a rod in this box may lie in.
   [[nodiscard]] BoxRange around(const IntVec3& box, int i) const;
   [[nodiscard]] const IntVec3& count() const { return count_; }
   /// Images reach from −farthest to farthest in each direction.
   [[nodiscard]] int farthest_image() const { return farthest_image_; }
 
-  std::vector<std::int32_t>
-      first_slot;  ///< by box: where its rods begin in the order of slots; one more than boxes
+  IndexedVector<BoxIndex, SlotIndex> first_slot;  ///< where the rods of a box begin; one more than boxes
 
  private:
   Mat3 to_fraction_;

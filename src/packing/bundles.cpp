@@ -93,7 +93,7 @@ void require_room(const BundlePlan& plan) {
 }
 
 /// Finds normals along a bundle that do not turn about its axis: each is the one before, made perpendicular.
-std::vector<Vec3> steady_normals(const Chains& bundles, std::size_t bundle, int count) {
+std::vector<Vec3> steady_normals(const Chains& bundles, FiberIndex bundle, int count) {
   std::vector<Vec3> normals;
   Vec3 normal;
   for (int i = 0; i <= count; ++i) {
@@ -110,10 +110,9 @@ std::vector<Vec3> steady_normals(const Chains& bundles, std::size_t bundle, int 
 /// Draws the fibers of one bundle; `scale` takes its units to those of the fibers.
 class BundleDrawer {
  public:
-  BundleDrawer(const Chains& bundles, std::size_t bundle, double scale)
+  BundleDrawer(const Chains& bundles, FiberIndex bundle, double scale)
       : bundles_(bundles), bundle_(bundle), scale_(scale) {
-    const auto rods = static_cast<int>(bundles.end_node(bundle) - bundles.begin_node(bundle)) - 1;
-    normals_ = steady_normals(bundles, bundle, frames_a_rod * rods);
+    normals_ = steady_normals(bundles, bundle, frames_a_rod * bundles.rod_count(bundle));
   }
   /// Draws a fiber of equal rods beside the bundle's axis, by the length of its own curve, which differs from
   /// that of the axis where the bundle is bent.
@@ -144,13 +143,13 @@ class BundleDrawer {
     const double count = static_cast<double>(normals_.size() - 1), step = 0.5 / count;
     const Vec3 tangent =
         (point_along(bundles_, bundle_, x + step) - point_along(bundles_, bundle_, x - step)).normalized();
-    const Vec3& near = normals_[static_cast<std::size_t>(std::lround(std::clamp(x, 0.0, 1.0) * count))];
+    const Vec3& near = normals_[std::lround(std::clamp(x, 0.0, 1.0) * count)];
     const Vec3 normal = (near - near.dot(tangent) * tangent).normalized();
     return scale_ * point_along(bundles_, bundle_, x) + beside.x * normal + beside.y * tangent.cross(normal);
   }
 
   const Chains& bundles_;
-  std::size_t bundle_;
+  FiberIndex bundle_;
   double scale_;
   std::vector<Vec3> normals_;
 };
@@ -210,7 +209,7 @@ Chains fibers_in_bundles(const PackingRequest& request, const BundlePlan& plan, 
   const double scale = thickest_diameter(plan.bundles) / unit;
   std::vector<std::vector<Vec3>> nodes(request.fibers.size());
   for (std::size_t b = 0; b < plan.members.size(); ++b) {
-    const BundleDrawer drawer(bundles, b, scale);
+    const BundleDrawer drawer(bundles, FiberIndex(b), scale);
     const std::vector<Place> places = hexagonal_places(plan.members[b].size());
     const double spacing = plan.spacing[b] / unit;
     for (std::size_t m = 0; m < places.size(); ++m) {

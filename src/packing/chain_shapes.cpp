@@ -24,11 +24,11 @@ ChainMaker::ChainMaker(const PackingRequest& request, const Cell& cell)
 }
 
 void ChainMaker::append(std::span<const Vec3> nodes) {
-  const FiberBlank& fiber = request_.fibers[static_cast<std::size_t>(chains_.fiber_count())];
+  const FiberBlank& fiber = request_.fibers[chains_.fiber_count()];
   const FiberMaterial& material = request_.materials[fiber.material_id];
   const double length = fiber.length / unit_ / static_cast<double>(nodes.size() - 1);
   chains_.position.insert(chains_.position.end(), nodes.begin(), nodes.end());
-  chains_.first_node.push_back(static_cast<Index>(chains_.position.size()));
+  chains_.first_node.push_back(NodeIndex(chains_.position.size()));
   chains_.rod_length.push_back(length);
   chains_.radius.push_back(material.radius / unit_);
   chains_.swelling.push_back(1);
@@ -51,20 +51,19 @@ Chains straight_chains(const PackingRequest& request, std::span<const Vec3> dire
   return maker.take();
 }
 
-Vec3 point_along(const Chains& chains, std::size_t fiber, double x) {
-  const auto begin = static_cast<std::ptrdiff_t>(chains.begin_node(fiber));
-  const auto last = static_cast<std::ptrdiff_t>(chains.end_node(fiber)) - 1;
-  const auto at = [&](std::ptrdiff_t i) { return chains.position[static_cast<std::size_t>(i)]; };
-  const auto node = [&](std::ptrdiff_t k) -> Vec3 {
-    if (k < begin) return 2 * at(begin) - at(begin + 1);
-    if (k > last) return 2 * at(last) - at(last - 1);
-    return at(k);
+Vec3 point_along(const Chains& chains, FiberIndex fiber, double x) {
+  const std::span<const Vec3> nodes = chains.positions(fiber);
+  const Index last = chains.rod_count(fiber);
+  const auto node = [&](Index k) -> Vec3 {
+    if (k < 0) return 2 * nodes[0] - nodes[1];
+    if (k > last) return 2 * nodes[last] - nodes[last - 1];
+    return nodes[k];
   };
-  const double place = x * static_cast<double>(last - begin);
-  if (x < 0) return at(begin) + place * (at(begin + 1) - at(begin));
-  if (x > 1) return at(last) + (place - static_cast<double>(last - begin)) * (at(last) - at(last - 1));
-  const std::ptrdiff_t k = std::min(begin + static_cast<std::ptrdiff_t>(place), last - 1);
-  const double t = place - static_cast<double>(k - begin);
+  const double place = x * last;
+  if (x < 0) return nodes[0] + place * (nodes[1] - nodes[0]);
+  if (x > 1) return nodes[last] + (place - last) * (nodes[last] - nodes[last - 1]);
+  const Index k = std::min(static_cast<Index>(place), last - 1);
+  const double t = place - k;
   const Vec3 a = node(k - 1), b = node(k), c = node(k + 1), d = node(k + 2);
   return b + 0.5 * t * ((c - a) + t * ((2 * a - 5 * b + 4 * c - d) + t * (3 * b - a - 3 * c + d)));
 }
@@ -76,7 +75,8 @@ Chains divide_chains(const Chains& chains, const PackingRequest& request,
   for (std::size_t f = 0; f < request.fibers.size(); ++f) {
     const Index rods = rods_of(request.fibers[f]);
     nodes.clear();
-    for (Index k = 0; k <= rods; ++k) nodes.push_back(point_along(chains, f, static_cast<double>(k) / rods));
+    for (Index k = 0; k <= rods; ++k)
+      nodes.push_back(point_along(chains, FiberIndex(f), static_cast<double>(k) / rods));
     maker.append(nodes);
   }
   return maker.take();
@@ -87,15 +87,12 @@ FiberState state_of(const Chains& chains, const PackingRequest& request) {
   FiberState state;
   state.materials = request.materials;
   state.cell = request.cell;
-  std::vector<Vec3> nodes;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-    const FiberBlank& fiber = request.fibers[f];
-    nodes.clear();
-    for (std::size_t k = chains.begin_node(f); k < chains.end_node(f); ++k)
-      nodes.push_back(unit * chains.position[k]);
+  for (const FiberIndex f : chains.fibers()) {
+    const FiberBlank& fiber = request.fibers[f.value()];
+    std::vector<Vec3> nodes;
+    for (const Vec3& x : chains.positions(f)) nodes.push_back(unit * x);
     append_fiber(state, {nodes, fiber.material_id});
-    for (std::size_t k = chains.begin_node(f); k + 1 < chains.end_node(f); ++k)
-      state.rod_length[k] = fiber.length / fiber.rods;
+    for (const RodIndex rod : chains.rods(f)) state.rod_length[rod] = fiber.length / fiber.rods;
   }
   wrap_fibers(state);
   return state;
@@ -104,9 +101,9 @@ FiberState state_of(const Chains& chains, const PackingRequest& request) {
 double mean_radius(const Chains& chains) {
   double sum = 0;
   std::int64_t hinges = 0;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-    const double squared = chains.rod_length[f] * chains.rod_length[f];
-    for (std::size_t k = chains.begin_node(f) + 1; k + 1 < chains.end_node(f); ++k) {
+  for (const FiberIndex fiber : chains.fibers()) {
+    const double squared = chains.rod_length[fiber] * chains.rod_length[fiber];
+    for (const NodeIndex k : chains.hinges(fiber)) {
       sum += (chains.position[k + 1] - 2 * chains.position[k] + chains.position[k - 1]).norm() / squared;
       ++hinges;
     }

@@ -35,7 +35,7 @@ class ChainMaker {
 
 /// Point at share x of a fiber's length on the Catmull-Rom spline through its nodes, continued beyond the
 /// ends.
-[[nodiscard]] Vec3 point_along(const Chains& chains, std::size_t fiber, double x);
+[[nodiscard]] Vec3 point_along(const Chains& chains, FiberIndex fiber, double x);
 
 /// Cuts the fibers in other numbers of equal rods along point_along(); rod lengths then need
 /// ChainConstraints::restore_lengths.

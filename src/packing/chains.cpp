@@ -3,8 +3,8 @@
 
 namespace fiberfate {
 
-void ChainConstraints::factorise(const Vec3* position, std::size_t nodes, double rod_length) {
-  rods_ = nodes - 1;
+void ChainConstraints::factorise(std::span<const Vec3> nodes, double rod_length) {
+  rods_ = nodes.size() - 1;
   rod_length_ = rod_length;
   if (direction_.size() < rods_) {
     direction_.resize(rods_);
@@ -12,7 +12,7 @@ void ChainConstraints::factorise(const Vec3* position, std::size_t nodes, double
     ratio_.resize(rods_);
     unknown_.resize(rods_);
   }
-  for (std::size_t i = 0; i < rods_; ++i) direction_[i] = (position[i + 1] - position[i]) / rod_length;
+  for (std::size_t i = 0; i < rods_; ++i) direction_[i] = (nodes[i + 1] - nodes[i]) / rod_length;
   reciprocal_pivot_[0] = 0.5;
   for (std::size_t i = 1; i < rods_; ++i) {
     const double off = -direction_[i - 1].dot(direction_[i]);

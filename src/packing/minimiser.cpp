@@ -20,7 +20,7 @@ constexpr int patience = 5;
 // Farthest that a node moves in a step, in diameters: keeps the length corrections convergent.
 constexpr double farthest_move = 0.1;
 // Rods a load is computed for at a time by one thread.
-constexpr std::ptrdiff_t chunk_size = 128;
+constexpr Index chunk_size = 128;
 // Lists are kept for between these numbers of steps by changing the skin between these widths.
 constexpr int shortest_life = 8;
 constexpr int longest_life = 40;
@@ -35,9 +35,7 @@ void Minimiser::start() {
   chains_.force.assign(nodes, Vec3::Zero());
   sums_.resize(chains_.rod_length.size());
   constraints_.resize(chains_.rod_length.size());
-  for (std::size_t f = 0; f < chains_.rod_length.size(); ++f)
-    total_length_ +=
-        chains_.rod_length[f] * static_cast<double>(chains_.end_node(f) - chains_.begin_node(f) - 1);
+  for (const FiberIndex fiber : chains_.fibers()) total_length_ += chains_.length(fiber);
   step_size_ = initial_step;
   mixing_ = initial_mixing;
 }
@@ -72,17 +70,16 @@ void Minimiser::renew_neighbours() {
   }
   list_age_ = 0;
   neighbours_.build(chains_, range_);
-  loads_.resize(static_cast<std::size_t>(neighbours_.rod_count()));
+  loads_.resize(neighbours_.rod_count());
   listed_position_ = chains_.position;
   lists_valid_ = true;
 }
 
-void Minimiser::add_bending(std::size_t fiber, FiberSums& sums) {
-  const std::size_t begin = chains_.begin_node(fiber), end = chains_.end_node(fiber);
+void Minimiser::add_bending(FiberIndex fiber, FiberSums& sums) {
   const double squared_length = chains_.rod_length[fiber] * chains_.rod_length[fiber];
   const double stiffness = energy_.bending * chains_.bending_stiffness[fiber];
   const double allowed = energy_.barrier_radius > 0 ? squared_length / energy_.barrier_radius : 1e300;
-  for (std::size_t k = begin + 1; k + 1 < end; ++k) {
+  for (const NodeIndex k : chains_.hinges(fiber)) {
     const Vec3 second = chains_.position[k + 1] - 2 * chains_.position[k] + chains_.position[k - 1];
     const double size = second.norm();
     sums.bend = std::max(sums.bend, size / squared_length);
@@ -94,12 +91,12 @@ void Minimiser::add_bending(std::size_t fiber, FiberSums& sums) {
   }
 }
 
-void Minimiser::add_walls(std::size_t fiber, FiberSums& sums) {
+void Minimiser::add_walls(FiberIndex fiber, FiberSums& sums) {
   for (int i = 0; i < 3; ++i) {
-    if (chains_.cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic) continue;
+    if (chains_.cell.boundary[i] == Boundary::periodic) continue;
     const double height = chains_.cell.height(i);
     const Vec3 normal = chains_.cell.lattice.inverse().row(i).transpose() * height;
-    for (std::size_t k = chains_.begin_node(fiber); k < chains_.end_node(fiber); ++k) {
+    for (const NodeIndex k : chains_.nodes(fiber)) {
       const double place = normal.dot(chains_.position[k]);
       const double below = std::max(0.0, chains_.radius[fiber] - place);
       const double above = std::max(0.0, place - (height - chains_.radius[fiber]));
@@ -109,32 +106,31 @@ void Minimiser::add_walls(std::size_t fiber, FiberSums& sums) {
   }
 }
 
-void Minimiser::add_moment(std::size_t fiber, FiberSums& sums) const {
-  for (std::size_t k = chains_.begin_node(fiber); k + 1 < chains_.end_node(fiber); ++k) {
-    const Vec3 rod = chains_.position[k + 1] - chains_.position[k];
-    sums.moment += rod * rod.transpose();
+void Minimiser::add_moment(FiberIndex fiber, FiberSums& sums) const {
+  for (const RodIndex rod : chains_.rods(fiber)) {
+    const Vec3 axis = chains_.axis(rod);
+    sums.moment += axis * axis.transpose();
   }
   sums.moment /= chains_.rod_length[fiber];
 }
 
-void Minimiser::load(std::size_t fiber, FiberSums& sums) {
-  const std::size_t begin = chains_.begin_node(fiber), end = chains_.end_node(fiber);
+void Minimiser::load(FiberIndex fiber, FiberSums& sums) {
   const Mat3 couple = (energy_.orientation / chains_.rod_length[fiber]) * orientation_error_;
-  for (std::size_t k = begin; k < end; ++k) chains_.force[k].setZero();
-  for (std::size_t k = begin; k + 1 < end; ++k) {
-    const RepulsionLoad& load = loads_[neighbours_.slot(k)];
-    const Vec3 turn = couple * (chains_.position[k + 1] - chains_.position[k]);
-    chains_.force[k] += Vec3(load.on_begin[0], load.on_begin[1], load.on_begin[2]) + turn;
-    chains_.force[k + 1] += Vec3(load.on_end[0], load.on_end[1], load.on_end[2]) - turn;
+  for (const NodeIndex k : chains_.nodes(fiber)) chains_.force[k].setZero();
+  for (const RodIndex rod : chains_.rods(fiber)) {
+    const RepulsionLoad& load = loads_[neighbours_.slot(rod)];
+    const Vec3 turn = couple * chains_.axis(rod);
+    chains_.force[first_end(rod)] += Vec3(load.on_begin) + turn;
+    chains_.force[second_end(rod)] += Vec3(load.on_end) - turn;
     sums.overlap = std::max(sums.overlap, load.largest_overlap);
     sums.energy += load.energy;
   }
   add_bending(fiber, sums);
   add_walls(fiber, sums);
   ChainConstraints& constraints = constraints_[fiber];
-  constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[fiber]);
-  constraints.project(&chains_.force[begin]);
-  for (std::size_t k = begin; k < end; ++k) {
+  constraints.factorise(chains_.positions(fiber), chains_.rod_length[fiber]);
+  constraints.project(&chains_.force[chains_.begin_node(fiber)]);
+  for (const NodeIndex k : chains_.nodes(fiber)) {
     sums.power += chains_.force[k].dot(chains_.velocity[k]);
     sums.force += chains_.force[k].squaredNorm();
     sums.speed += chains_.velocity[k].squaredNorm();
@@ -144,15 +140,12 @@ void Minimiser::load(std::size_t fiber, FiberSums& sums) {
 void Minimiser::load_fibers() {
   const RepulsionKernel repel = repulsion_kernel();
   const RepulsionInput input = neighbours_.input();
-  const std::ptrdiff_t rods = neighbours_.rod_count();
-  parallel_for((rods + chunk_size - 1) / chunk_size, [&](std::ptrdiff_t chunk) {
-    const std::ptrdiff_t last = std::min(rods, (chunk + 1) * chunk_size);
-    repel(input, energy_.repulsion, static_cast<int>(chunk * chunk_size), static_cast<int>(last),
-          loads_.data());
+  const Index rods = neighbours_.rod_count();
+  parallel_for((rods + chunk_size - 1) / chunk_size, [&](Index chunk) {
+    const Index last = std::min(rods, (chunk + 1) * chunk_size);
+    repel(input, energy_.repulsion, chunk * chunk_size, last, loads_.data());
   });
-  const std::ptrdiff_t fibers = chains_.fiber_count();
-  parallel_for(fibers, [&](std::ptrdiff_t f) {
-    const auto fiber = static_cast<std::size_t>(f);
+  parallel_for(chains_.fibers(), [&](FiberIndex fiber) {
     const double farthest = sums_[fiber].farthest;
     sums_[fiber] = FiberSums{};
     sums_[fiber].farthest = farthest;
@@ -161,10 +154,7 @@ void Minimiser::load_fibers() {
   Mat3 moment = Mat3::Zero();
   for (const FiberSums& sums : sums_) moment += sums.moment;
   orientation_error_ = moment / total_length_ - target_;
-  parallel_for(fibers, [&](std::ptrdiff_t f) {
-    const auto fiber = static_cast<std::size_t>(f);
-    load(fiber, sums_[fiber]);
-  });
+  parallel_for(chains_.fibers(), [&](FiberIndex fiber) { load(fiber, sums_[fiber]); });
 }
 
 PackingMeasure Minimiser::summarise() const {
@@ -198,9 +188,8 @@ void Minimiser::steer(double power) {
   mixing_ = initial_mixing;
 }
 
-void Minimiser::move(std::size_t fiber, double keep, double follow) {
-  const std::size_t begin = chains_.begin_node(fiber), end = chains_.end_node(fiber);
-  for (std::size_t k = begin; k < end; ++k) {
+void Minimiser::move(FiberIndex fiber, double keep, double follow) {
+  for (const NodeIndex k : chains_.nodes(fiber)) {
     Vec3& v = chains_.velocity[k];
     v = keep * v + follow * chains_.force[k];
     const double path = v.norm() * step_size_;
@@ -208,9 +197,9 @@ void Minimiser::move(std::size_t fiber, double keep, double follow) {
     chains_.force[k] = chains_.position[k];
     chains_.position[k] += step_size_ * v;
   }
-  constraints_[fiber].restore_lengths(&chains_.position[begin]);
+  constraints_[fiber].restore_lengths(&chains_.position[chains_.begin_node(fiber)]);
   double farthest = 0;
-  for (std::size_t k = begin; k < end; ++k) {
+  for (const NodeIndex k : chains_.nodes(fiber)) {
     chains_.velocity[k] = (chains_.position[k] - chains_.force[k]) / step_size_;
     farthest = std::max(farthest, (chains_.position[k] - listed_position_[k]).squaredNorm());
   }
@@ -224,8 +213,7 @@ void Minimiser::move_fibers(double force, double speed) {
   // v ← (1 − α)(v + F dt) + α |v| F / |F|, and from rest after going uphill.
   const double keep = rising ? 0 : 1 - mixing_;
   const double follow = step_size_ * (rising ? 1 : 1 - mixing_) + mix;
-  parallel_for(chains_.fiber_count(),
-               [&](std::ptrdiff_t f) { move(static_cast<std::size_t>(f), keep, follow); });
+  parallel_for(chains_.fibers(), [&](FiberIndex fiber) { move(fiber, keep, follow); });
 }
 
 PackingMeasure Minimiser::step() {
@@ -251,12 +239,11 @@ PackingMeasure Minimiser::measure() {
 
 void Minimiser::finish() {
   ChainConstraints constraints;
-  for (std::size_t f = 0; f < chains_.rod_length.size(); ++f) {
-    const std::size_t begin = chains_.begin_node(f), end = chains_.end_node(f);
-    constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[f]);
-    constraints.restore_lengths(&chains_.position[begin], 3);
-    constraints.factorise(&chains_.position[begin], end - begin, chains_.rod_length[f]);
-    constraints.restore_lengths(&chains_.position[begin], 3);
+  for (const FiberIndex fiber : chains_.fibers()) {
+    for (int pass = 0; pass < 2; ++pass) {
+      constraints.factorise(chains_.positions(fiber), chains_.rod_length[fiber]);
+      constraints.restore_lengths(&chains_.position[chains_.begin_node(fiber)], 3);
+    }
   }
 }
 

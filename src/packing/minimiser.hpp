@@ -45,13 +45,11 @@ class Minimiser {
   /// Lists neighbours anew: to be called after chains were put elsewhere or swollen.
   void forget_neighbours() { lists_valid_ = false; }
   /// Takes over that this fiber was shrunk, or made firmer or softer.
-  void refresh(std::size_t fiber) { neighbours_.refresh(chains_, fiber); }
-  /// Largest overlap of the rod that begins at this node, in sums of two radii, as last measured.
-  [[nodiscard]] double overlap(std::size_t node) const {
-    return loads_[neighbours_.slot(node)].largest_overlap;
-  }
-  /// Lists the rods near the one that begins at this node.
-  [[nodiscard]] std::vector<NeighbourRod> near(std::size_t node) const { return neighbours_.of(node); }
+  void refresh(FiberIndex fiber) { neighbours_.refresh(chains_, fiber); }
+  /// Largest overlap of a rod, in sums of two radii, as last measured.
+  [[nodiscard]] double overlap(RodIndex rod) const { return loads_[neighbours_.slot(rod)].largest_overlap; }
+  /// Lists the rods near a rod.
+  [[nodiscard]] std::vector<NeighbourRod> near(RodIndex rod) const { return neighbours_.of(rod); }
   /// Brings all rods to their lengths to round-off.
   void finish();
 
@@ -63,24 +61,24 @@ class Minimiser {
   void start();
   void renew_neighbours();
   void load_fibers();
-  void add_moment(std::size_t fiber, FiberSums& sums) const;
-  void load(std::size_t fiber, FiberSums& sums);
-  void add_bending(std::size_t fiber, FiberSums& sums);
-  void add_walls(std::size_t fiber, FiberSums& sums);
+  void add_moment(FiberIndex fiber, FiberSums& sums) const;
+  void load(FiberIndex fiber, FiberSums& sums);
+  void add_bending(FiberIndex fiber, FiberSums& sums);
+  void add_walls(FiberIndex fiber, FiberSums& sums);
   PackingMeasure summarise() const;
   void steer(double power);
   void move_fibers(double force, double speed);
   /// Moves a fiber by its velocity, as load() left its constraints.
-  void move(std::size_t fiber, double keep, double follow);
+  void move(FiberIndex fiber, double keep, double follow);
 
   Chains& chains_;
   Mat3 target_;
   PackingEnergy energy_;
   RodNeighbours neighbours_;
-  std::vector<RepulsionLoad> loads_;
-  std::vector<FiberSums> sums_;
-  std::vector<ChainConstraints> constraints_;  ///< by fiber, at the positions of the last load
-  std::vector<Vec3> listed_position_;
+  IndexedVector<SlotIndex, RepulsionLoad> loads_;
+  IndexedVector<FiberIndex, FiberSums> sums_;
+  IndexedVector<FiberIndex, ChainConstraints> constraints_;  ///< at the positions of the last load
+  IndexedVector<NodeIndex, Vec3> listed_position_;
   Mat3 orientation_error_ = Mat3::Zero();
   double total_length_ = 0;
   NeighbourRange range_ = {1, 0, 1};

@@ -78,8 +78,7 @@ constexpr double most_cells = 100;
 void require_few_images(const PackingRequest& request) {
   double lowest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    if (request.cell.boundary[static_cast<std::size_t>(i)] == Boundary::periodic)
-      lowest = std::min(lowest, request.cell.height(i));
+    if (request.cell.boundary[i] == Boundary::periodic) lowest = std::min(lowest, request.cell.height(i));
   }
   for (const FiberBlank& fiber : request.fibers) {
     if (fiber.length > most_cells * lowest)

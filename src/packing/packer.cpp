@@ -80,18 +80,18 @@ Index final_rods(const FiberBlank& fiber) {
 /// Volume of the fibers over that of the cell, fibers being single rods.
 double volume_share(const Chains& straight) {
   double volume = 0;
-  for (std::size_t f = 0; f < straight.rod_length.size(); ++f)
-    volume += pi * straight.radius[f] * straight.radius[f] * straight.rod_length[f];
+  for (const FiberIndex fiber : straight.fibers())
+    volume += pi * straight.radius[fiber] * straight.radius[fiber] * straight.rod_length[fiber];
   return volume / straight.cell.volume();
 }
 
 /// Makes the cell `ratio` times as large; the fibers keep their shapes and their places in it.
 void resize_cell(Chains& chains, double ratio) {
   chains.cell.lattice *= ratio;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-    const std::size_t begin = chains.begin_node(f), end = chains.end_node(f);
-    const Vec3 shift = 0.5 * (ratio - 1) * (chains.position[begin] + chains.position[end - 1]);
-    for (std::size_t k = begin; k < end; ++k) chains.position[k] += shift;
+  for (const FiberIndex fiber : chains.fibers()) {
+    const Vec3 ends = chains.position[chains.begin_node(fiber)] + chains.position[chains.last_node(fiber)];
+    const Vec3 shift = 0.5 * (ratio - 1) * ends;
+    for (const NodeIndex node : chains.nodes(fiber)) chains.position[node] += shift;
   }
 }
 
@@ -184,9 +184,9 @@ Chains Packer::compress() {
 bool Packer::may_stay_straight() const {
   double longest = 0;
   bool one_rod = true;
-  for (std::size_t f = 0; f < request_.fibers.size(); ++f) {
-    longest = std::max(longest, 0.5 * straight_.rod_length[f] / straight_.radius[f]);
-    one_rod = one_rod && request_.fibers[f].rods == 1;
+  for (const FiberIndex fiber : straight_.fibers()) {
+    longest = std::max(longest, 0.5 * straight_.rod_length[fiber] / straight_.radius[fiber]);
+    one_rod = one_rod && request_.fibers[fiber.value()].rods == 1;
   }
   return one_rod || volume_share(straight_) < straight_limit / longest;
 }
@@ -215,7 +215,7 @@ void Packer::untangle(Chains& chains) {
 
 bool Packer::relieve(Chains& chains) {
   if (!has_rest_law()) return false;
-  const std::vector<Vec3> untangled = chains.position;
+  const auto untangled = chains.position;
   stage_ = "relieve";
   Minimiser minimiser(chains, target_);
   if (move_overloaded(chains, minimiser) && come_to_rest(minimiser, mean_radius(chains))) return true;
@@ -228,7 +228,7 @@ bool Packer::move_overloaded(Chains& chains, Minimiser& minimiser) {
   energy.orientation *= relief_hold;
   Relief relief(chains, minimiser, request_.seed);
   relax(minimiser, energy, first_relief_steps, {-1, 0});
-  const double most = most_moved * static_cast<double>(chains.rod_length.size());
+  const double most = most_moved * chains.fiber_count();
   bool calm = false;
   for (int round = 0; round < relief_rounds; ++round) {
     const std::size_t found = relief.find(relief_overlap);

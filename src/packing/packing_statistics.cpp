@@ -28,10 +28,9 @@ Chains chains_of(const FiberState& state, double unit) {
   chains.cell.lattice /= unit;
   chains.first_node = state.first_node;
   for (const Vec3& x : state.position) chains.position.push_back(x / unit);
-  for (Index f = 0; f < state.fiber_count(); ++f) {
+  for (const FiberIndex f : state.fibers()) {
     double longest = 0;
-    for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k)
-      longest = std::max(longest, state.rod_length[static_cast<std::size_t>(k)]);
+    for (const RodIndex rod : state.rods(f)) longest = std::max(longest, state.rod_length[rod]);
     chains.rod_length.push_back(longest / unit);
     chains.radius.push_back(state.material(f).radius / unit);
     chains.swelling.push_back(1);
@@ -40,20 +39,26 @@ Chains chains_of(const FiberState& state, double unit) {
   return chains;
 }
 
-/// Whether the nearest point at place s of rod k is nearest among its neighbours along the fiber too; a
-/// hinge belongs to the rod that ends there. `away` points from the other fiber to this one.
-bool is_locally_nearest(const Chains& chains, std::size_t fiber, std::size_t k, double s, const Vec3& away) {
-  if (s <= 0) return k == chains.begin_node(fiber);
-  if (s < 1 || k + 2 == chains.end_node(fiber)) return true;
-  return (chains.position[k + 2] - chains.position[k + 1]).dot(away) >= 0;
+/// The point at share s of a rod, and the way to it from the nearest point of another fiber.
+struct NearestPoint {
+  RodIndex rod;
+  double s;
+  Vec3 away;
+};
+
+/// Whether a nearest point is nearest among its neighbours along the fiber too; a hinge belongs to the rod
+/// that ends there.
+bool is_locally_nearest(const Chains& chains, FiberIndex fiber, const NearestPoint& point) {
+  if (point.s <= 0) return first_end(point.rod) == chains.begin_node(fiber);
+  if (point.s < 1 || second_end(point.rod) == chains.last_node(fiber)) return true;
+  return chains.axis(point.rod + 1).dot(point.away) >= 0;
 }
 
 /// Mean |sin| of the angle between two rods picked by length, over evenly picked rods.
 double mean_sine(const Chains& chains) {
   std::vector<Vec3> rods;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) {
-    for (std::size_t k = chains.begin_node(f); k + 1 < chains.end_node(f); ++k)
-      rods.push_back(chains.position[k + 1] - chains.position[k]);
+  for (const FiberIndex fiber : chains.fibers()) {
+    for (const RodIndex rod : chains.rods(fiber)) rods.push_back(chains.axis(rod));
   }
   const std::size_t stride = std::max<std::size_t>(1, rods.size() / sampled_rods);
   double sum = 0, weight = 0;
@@ -75,20 +80,17 @@ struct PairCounts {
 PairCounts count_pairs(const Chains& chains) {
   RodNeighbours neighbours;
   neighbours.build(chains, {bin_count * bin_width, 0, 0});
-  const std::ptrdiff_t fibers = chains.fiber_count();
-  std::vector<PairCounts> counts(static_cast<std::size_t>(fibers));
-  parallel_for(fibers, [&](std::ptrdiff_t f) {
-    const auto fiber = static_cast<std::size_t>(f);
+  IndexedVector<FiberIndex, PairCounts> counts(chains.fiber_count());
+  parallel_for(chains.fibers(), [&](FiberIndex fiber) {
     PairCounts& own = counts[fiber];
-    for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-      for (const NeighbourRod& other : neighbours.of(k)) {
-        const Vec3 begin = chains.position[other.node] + other.shift,
-                   end = chains.position[other.node + 1] + other.shift;
-        const ClosestPoints p = closest_points({chains.position[k], chains.position[k + 1]}, {begin, end});
+    for (const RodIndex rod : chains.rods(fiber)) {
+      for (const NeighbourRod& other : neighbours.of(rod)) {
+        const ClosestPoints p =
+            closest_points(chains.segment(rod), shifted(chains.segment(other.rod), other.shift));
         const double touching = chains.radius[fiber] + chains.radius[other.fiber];
         own.largest_overlap = std::max(own.largest_overlap, 1 - p.distance / touching);
-        if (!is_locally_nearest(chains, fiber, k, p.s, p.separation)) continue;
-        if (!is_locally_nearest(chains, other.fiber, other.node, p.t, -p.separation)) continue;
+        if (!is_locally_nearest(chains, fiber, {rod, p.s, p.separation})) continue;
+        if (!is_locally_nearest(chains, other.fiber, {other.rod, p.t, -p.separation})) continue;
         const auto bin = static_cast<std::size_t>(p.distance / touching / bin_width);
         if (bin < bin_count) ++own.bins[bin];
         if (p.distance < contact_distance * touching) ++own.contacts;
@@ -111,7 +113,7 @@ PairCounts count_pairs(const Chains& chains) {
 class RandomFibers {
  public:
   explicit RandomFibers(const FiberState& state) : density_(state.fiber_count() / state.cell.volume()) {
-    for (Index f = 0; f < state.fiber_count(); ++f) {
+    for (const FiberIndex f : state.fibers()) {
       const double share = 1.0 / state.fiber_count(), length = fiber_length(state, f),
                    radius = state.material(f).radius;
       for (std::size_t power = 0; power < 4; ++power) {
@@ -165,7 +167,7 @@ PackingReport measure_packing(const FiberState& state, const Mat3& asked) {
   measure_curvature(state, report);
 
   double unit = 0;
-  for (Index f = 0; f < state.fiber_count(); ++f) unit = std::max(unit, state.material(f).diameter());
+  for (const FiberIndex f : state.fibers()) unit = std::max(unit, state.material(f).diameter());
   const Chains chains = chains_of(state, unit);
   const PairCounts counts = count_pairs(chains);
   report.largest_overlap = counts.largest_overlap;

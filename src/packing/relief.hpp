@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "packing/minimiser.hpp"
+#include "packing/vacancies.hpp"
 
 namespace fiberfate {
 
@@ -32,18 +33,19 @@ class Relief {
 
  private:
   struct Contact {
-    std::size_t fiber, other;
+    FiberIndex fiber, other;
   };
   [[nodiscard]] std::vector<Contact> overloaded(double overlap) const;
-  void put_straight(std::size_t fiber, const Vec3& centre, const Vec3& direction);
+  void put_straight(FiberIndex fiber, const StraightAxis& axis);
+  [[nodiscard]] StraightAxis roomiest_place(FiberIndex fiber, const Vacancies& vacancies) const;
 
   Chains& chains_;
   Minimiser& minimiser_;
   std::uint64_t seed_;
   std::uint32_t round_ = 0;
-  std::vector<std::size_t> found_;
-  std::vector<double> stiffness_;  ///< the fibers' own
-  std::vector<int> moves_;         ///< by fiber
+  std::vector<FiberIndex> found_;
+  IndexedVector<FiberIndex, double> stiffness_;  ///< the fibers' own
+  IndexedVector<FiberIndex, int> moves_;
 };
 
 }  // namespace fiberfate

@@ -10,7 +10,7 @@ namespace fiberfate {
 namespace {
 
 // Slots are listed in chunks of this many, each into its own buffer, whatever the number of threads.
-constexpr std::ptrdiff_t chunk_size = 128;
+constexpr Index chunk_size = 128;
 // A rod this far away, in diameters, touches nothing: padding of the lists.
 constexpr double nowhere = 1e6;
 constexpr int lanes = 8;
@@ -19,17 +19,20 @@ constexpr int lanes = 8;
 
 /// The neighbours of one chunk of slots, padded for each of them.
 struct RodNeighbours::ChunkLists {
-  std::vector<std::int32_t> rod, image, count;
+  std::vector<SlotIndex> rod;
+  std::vector<ImageIndex> image;
+  std::vector<std::int32_t> count;
 };
 
 /// Candidates of one rod, padded to full packs for the distance kernel.
 struct RodNeighbours::Candidates {
-  std::vector<std::int32_t> rod, image, found;
+  std::vector<SlotIndex> rod;
+  std::vector<ImageIndex> image;
+  std::vector<std::int32_t> found;
   std::vector<double> distance;
+  ImageIndex no_image;
 
-  std::int32_t no_image = 0;
-
-  void pad(std::int32_t dummy) {
+  void pad(SlotIndex dummy) {
     while (rod.size() % lanes != 0) {
       rod.push_back(dummy);
       image.push_back(no_image);
@@ -40,42 +43,42 @@ struct RodNeighbours::Candidates {
 
 void RodNeighbours::sort(const Chains& chains, BoxGrid& grid) {
   const std::size_t nodes = chains.position.size();
-  rods_ = nodes - chains.rod_length.size();
-  slot_of_node_.assign(nodes, -1);
+  rods_ = chains.rod_count();
+  slot_of_rod_.assign(nodes, SlotIndex(-1));
   wrap_.assign(nodes, Vec3::Zero());
-  std::vector<std::int32_t> box_of_node(nodes, -1);
-  parallel_for(chains.fiber_count(), [&](std::ptrdiff_t f) {
-    const auto fiber = static_cast<std::size_t>(f);
-    for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-      const Vec3 centre = 0.5 * (chains.position[k] + chains.position[k + 1]);
-      wrap_[k] = chains.cell.shift(image_of(chains.cell, centre));
-      box_of_node[k] = grid.number(grid.box(centre - wrap_[k]));
+  IndexedVector<RodIndex, BoxIndex> box_of_rod(nodes);
+  parallel_for(chains.fibers(), [&](FiberIndex fiber) {
+    for (const RodIndex rod : chains.rods(fiber)) {
+      const Vec3 centre = chains.centre(rod);
+      wrap_[rod] = chains.cell.shift(image_of(chains.cell, centre));
+      box_of_rod[rod] = grid.number(grid.box(centre - wrap_[rod]));
     }
   });
-  const auto boxes = static_cast<std::size_t>(grid.count().prod());
-  grid.first_slot.assign(boxes + 1, 0);
-  for (const std::int32_t box : box_of_node) {
-    if (box >= 0) ++grid.first_slot[static_cast<std::size_t>(box) + 1];
+  const Index boxes = grid.count().prod();
+  grid.first_slot.assign(boxes + 1, SlotIndex(0));
+  for (const FiberIndex fiber : chains.fibers()) {
+    for (const RodIndex rod : chains.rods(fiber)) ++grid.first_slot[box_of_rod[rod] + 1];
   }
-  for (std::size_t b = 0; b < boxes; ++b) grid.first_slot[b + 1] += grid.first_slot[b];
-  std::vector<std::int32_t> next(grid.first_slot.begin(), grid.first_slot.end() - 1);
-  node_of_slot_.resize(rods_);
+  for (const BoxIndex box : first_indices<BoxIndex>(boxes))
+    grid.first_slot[box + 1] = grid.first_slot[box + 1] + grid.first_slot[box].value();
+  IndexedVector<BoxIndex, SlotIndex> next = grid.first_slot;
+  rod_of_slot_.resize(rods_);
   fiber_of_slot_.resize(rods_);
-  for (std::size_t fiber = 0; fiber < chains.rod_length.size(); ++fiber) {
-    for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-      const std::int32_t slot = next[static_cast<std::size_t>(box_of_node[k])]++;
-      slot_of_node_[k] = slot;
-      node_of_slot_[static_cast<std::size_t>(slot)] = static_cast<std::int32_t>(k);
-      fiber_of_slot_[static_cast<std::size_t>(slot)] = static_cast<std::int32_t>(fiber);
+  for (const FiberIndex fiber : chains.fibers()) {
+    for (const RodIndex rod : chains.rods(fiber)) {
+      const SlotIndex slot = next[box_of_rod[rod]]++;
+      slot_of_rod_[rod] = slot;
+      rod_of_slot_[slot] = rod;
+      fiber_of_slot_[slot] = fiber;
     }
   }
 }
 
-void RodNeighbours::refresh(const Chains& chains, std::size_t fiber) {
-  for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-    const Vec3 centre = 0.5 * (chains.position[k] + chains.position[k + 1]) - wrap_[k];
-    const Vec3 half = 0.5 * (chains.position[k + 1] - chains.position[k]);
-    RodRecord& record = records_[slot(k)];
+void RodNeighbours::refresh(const Chains& chains, FiberIndex fiber) {
+  for (const RodIndex rod : chains.rods(fiber)) {
+    const Vec3 centre = chains.centre(rod) - wrap_[rod];
+    const Vec3 half = 0.5 * chains.axis(rod);
+    RodRecord& record = records_[slot(rod)];
     for (int i = 0; i < 3; ++i) {
       record.centre[i] = centre[i];
       record.half[i] = half[i];
@@ -85,52 +88,53 @@ void RodNeighbours::refresh(const Chains& chains, std::size_t fiber) {
   }
 }
 
-void RodNeighbours::arrange(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid) {
-  records_.resize(rods_ + 1);
-  records_[rods_] = RodRecord{};
-  records_[rods_].centre[0] = nowhere;
-  for (std::vector<double>* array : {&x_, &y_, &z_, &reach_}) array->assign(rods_ + lanes, 0.0);
-  parallel_for(chains.fiber_count(), [&](std::ptrdiff_t f) {
-    const auto fiber = static_cast<std::size_t>(f);
+void RodNeighbours::arrange(const Search& search) {
+  const Chains& chains = search.chains;
+  records_.resize(rods_);
+  records_.emplace_back().centre[0] = nowhere;
+  for (auto* array : {&x_, &y_, &z_, &reach_}) array->assign(rods_ + lanes, 0.0);
+  parallel_for(chains.fibers(), [&](FiberIndex fiber) {
     refresh(chains, fiber);
-    for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-      const std::size_t at = slot(k);
+    for (const RodIndex rod : chains.rods(fiber)) {
+      const SlotIndex at = slot(rod);
       x_[at] = records_[at].centre[0];
       y_[at] = records_[at].centre[1];
       z_[at] = records_[at].centre[2];
-      reach_[at] = 0.5 * chains.rod_length[fiber] + range.swelling * records_[at].radius;
+      reach_[at] = 0.5 * chains.rod_length[fiber] + search.range.swelling * records_[at].radius;
     }
   });
-  const int most = grid.farthest_image();
-  shifts_.assign(static_cast<std::size_t>((2 * most + 1) * (2 * most + 1) * (2 * most + 1)), ImageShift{});
+  number_images(search);
+}
+
+void RodNeighbours::number_images(const Search& search) {
+  const int most = search.grid.farthest_image();
+  shifts_.assign((2 * most + 1) * (2 * most + 1) * (2 * most + 1), ImageShift{});
   IntVec3 image;
   for (image[2] = -most; image[2] <= most; ++image[2]) {
     for (image[1] = -most; image[1] <= most; ++image[1]) {
       for (image[0] = -most; image[0] <= most; ++image[0]) {
-        const Vec3 shift = chains.cell.shift(image);
-        for (int i = 0; i < 3; ++i)
-          shifts_[static_cast<std::size_t>(grid.number_of_image(image))].shift[i] = shift[i];
+        const Vec3 shift = search.chains.cell.shift(image);
+        for (int i = 0; i < 3; ++i) shifts_[search.grid.number_of_image(image)].shift[i] = shift[i];
       }
     }
   }
 }
 
-bool RodNeighbours::is_own_neighbour(const Chains& chains, const NeighbourRange& range, std::size_t subject,
-                                     const ImagedRod& other) const {
-  const auto fiber = static_cast<std::size_t>(fiber_of_slot_[subject]);
-  if (fiber_of_slot_[other.slot] != fiber_of_slot_[subject]) return false;
-  const std::int32_t own_node = node_of_slot_[subject], other_node = node_of_slot_[other.slot];
-  const double* shift = shifts_[static_cast<std::size_t>(other.image)].shift;
-  const Vec3 offset = wrap_[static_cast<std::size_t>(other_node)] - wrap_[static_cast<std::size_t>(own_node)];
+bool RodNeighbours::is_own_neighbour(const Search& search, SlotIndex subject, const ImagedRod& other) const {
+  const FiberIndex fiber = fiber_of_slot_[subject];
+  if (fiber_of_slot_[other.slot] != fiber) return false;
+  const RodIndex own_rod = rod_of_slot_[subject], other_rod = rod_of_slot_[other.slot];
+  const Vec3 offset = wrap_[other_rod] - wrap_[own_rod];
   constexpr double same_place = 1e-3;  // images are many diameters apart
-  if ((offset - Vec3(shift[0], shift[1], shift[2])).norm() > same_place) return false;
-  const double along = (std::abs(own_node - other_node) - 1) * chains.rod_length[fiber];
-  return along < 2 * (range.swelling * 2 * chains.radius[fiber] + range.reach);
+  if ((offset - shift_of(other.image)).norm() > same_place) return false;
+  const double along = (std::abs(own_rod - other_rod) - 1) * search.chains.rod_length[fiber];
+  return along < 2 * (search.range.swelling * 2 * search.chains.radius[fiber] + search.range.reach);
 }
 
-void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid,
-                            std::size_t subject, Candidates& candidates) const {
-  const SearchKernel search = search_kernel();
+void RodNeighbours::collect(const Search& search, SlotIndex subject, Candidates& candidates) const {
+  const SearchKernel find = search_kernel();
+  const NeighbourRange& range = search.range;
+  const BoxGrid& grid = search.grid;
   const CentreArrays centres = {x_.data(), y_.data(), z_.data(), reach_.data()};
   const RodRecord& own = records_[subject];
   const double half = Vec3(own.half[0], own.half[1], own.half[2]).norm();
@@ -152,18 +156,15 @@ void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, c
         const IntVec3 inside = at - image.cwiseProduct(grid.count());
         const int run = std::min(x.high - x.low + 1, grid.count()[0] - inside[0]);
         x.low += run;
-        const auto number = static_cast<std::size_t>(grid.number(inside));
-        const std::int32_t image_number = grid.number_of_image(image);
-        const double* shift = shifts_[static_cast<std::size_t>(image_number)].shift;
-        for (int i = 0; i < 3; ++i) rod.centre[i] = own.centre[i] - shift[i];
-        const std::int32_t first = grid.first_slot[number];
-        const std::int32_t last = grid.first_slot[number + static_cast<std::size_t>(run)];
-        candidates.found.resize(static_cast<std::size_t>(last - first + lanes));
-        const int found = search(centres, rod, first, last, candidates.found.data());
+        const ImageIndex image_number = grid.number_of_image(image);
+        for (int i = 0; i < 3; ++i) rod.centre[i] = own.centre[i] - shifts_[image_number].shift[i];
+        const Index first = grid.first_slot[grid.number(inside)].value();
+        const Index last = grid.first_slot[grid.number(inside) + run].value();
+        candidates.found.resize(last - first + lanes);
+        const int found = find(centres, rod, first, last, candidates.found.data());
         for (int k = 0; k < found; ++k) {
-          const std::int32_t slot = candidates.found[static_cast<std::size_t>(k)];
-          if (is_own_neighbour(chains, range, subject, {static_cast<std::size_t>(slot), image_number}))
-            continue;
+          const SlotIndex slot(candidates.found[k]);
+          if (is_own_neighbour(search, subject, {slot, image_number})) continue;
           candidates.rod.push_back(slot);
           candidates.image.push_back(image_number);
         }
@@ -172,14 +173,13 @@ void RodNeighbours::collect(const Chains& chains, const NeighbourRange& range, c
   }
 }
 
-void RodNeighbours::keep_near(const NeighbourRange& range, std::size_t subject, const Candidates& candidates,
+void RodNeighbours::keep_near(const NeighbourRange& range, SlotIndex subject, const Candidates& candidates,
                               ChunkLists& lists) const {
-  const auto dummy = static_cast<std::int32_t>(rods_);
+  const SlotIndex dummy(rods_);
   std::int32_t kept = 0;
   for (std::size_t k = 0; k < candidates.rod.size(); ++k) {
     if (candidates.rod[k] == dummy) continue;
-    const double touching =
-        records_[subject].radius + records_[static_cast<std::size_t>(candidates.rod[k])].radius;
+    const double touching = records_[subject].radius + records_[candidates.rod[k]].radius;
     if (candidates.distance[k] >= range.swelling * touching + range.reach + range.skin) continue;
     lists.rod.push_back(candidates.rod[k]);
     lists.image.push_back(candidates.image[k]);
@@ -192,23 +192,21 @@ void RodNeighbours::keep_near(const NeighbourRange& range, std::size_t subject, 
   }
 }
 
-void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid) {
-  const auto chunks = (rod_count() + chunk_size - 1) / chunk_size;
-  std::vector<ChunkLists> found(static_cast<std::size_t>(chunks));
+void RodNeighbours::list(const Search& search) {
+  const Index chunks = (rods_ + chunk_size - 1) / chunk_size;
+  std::vector<ChunkLists> found(chunks);
   const DistanceKernel measure = distance_kernel();
-  parallel_for(chunks, [&](std::ptrdiff_t c) {
+  parallel_for(chunks, [&](Index c) {
     Candidates candidates;
-    candidates.no_image = grid.number_of_image(IntVec3::Zero());
-    const std::ptrdiff_t last = std::min(rod_count(), (c + 1) * chunk_size);
-    for (std::ptrdiff_t s = c * chunk_size; s < last; ++s) {
-      const auto subject = static_cast<std::size_t>(s);
-      collect(chains, range, grid, subject, candidates);
-      candidates.pad(static_cast<std::int32_t>(rods_));
-      const RepulsionInput arrays = {records_.data(), nullptr, candidates.rod.data(), candidates.image.data(),
-                                     shifts_.data()};
-      measure(arrays, static_cast<int>(s), static_cast<int>(candidates.rod.size()),
-              candidates.distance.data());
-      keep_near(range, subject, candidates, found[static_cast<std::size_t>(c)]);
+    candidates.no_image = search.grid.number_of_image(IntVec3::Zero());
+    const Index last = std::min(rods_, (c + 1) * chunk_size);
+    for (SlotIndex subject(c * chunk_size); subject < SlotIndex(last); ++subject) {
+      collect(search, subject, candidates);
+      candidates.pad(SlotIndex(rods_));
+      const RepulsionInput arrays = {records_.data(), nullptr, numbers(candidates.rod).data(),
+                                     numbers(candidates.image).data(), shifts_.data()};
+      measure(arrays, subject.value(), static_cast<int>(candidates.rod.size()), candidates.distance.data());
+      keep_near(search.range, subject, candidates, found[c]);
     }
   });
   join(found);
@@ -217,7 +215,7 @@ void RodNeighbours::list(const Chains& chains, const NeighbourRange& range, cons
 void RodNeighbours::join(const std::vector<ChunkLists>& found) {
   begin_.assign(rods_ + 1, 0);
   listed_ = 0;
-  std::size_t slot = 0;
+  SlotIndex slot;
   rod_.clear();
   image_.clear();
   for (const ChunkLists& lists : found) {
@@ -234,25 +232,22 @@ void RodNeighbours::join(const std::vector<ChunkLists>& found) {
 void RodNeighbours::build(const Chains& chains, const NeighbourRange& range) {
   BoxGrid grid(chains, range);
   sort(chains, grid);
-  arrange(chains, range, grid);
-  list(chains, range, grid);
+  const Search search = {chains, range, grid};
+  arrange(search);
+  list(search);
 }
 
 RepulsionInput RodNeighbours::input() const {
-  return {records_.data(), begin_.data(), rod_.data(), image_.data(), shifts_.data()};
+  return {records_.data(), begin_.data(), numbers(rod_).data(), numbers(image_).data(), shifts_.data()};
 }
 
-std::vector<NeighbourRod> RodNeighbours::of(std::size_t node) const {
+std::vector<NeighbourRod> RodNeighbours::of(RodIndex rod) const {
   std::vector<NeighbourRod> near;
-  const std::size_t subject = slot(node);
-  for (std::int32_t at = begin_[subject]; at < begin_[subject + 1]; ++at) {
-    const auto i = static_cast<std::size_t>(at);
-    const auto other = static_cast<std::size_t>(rod_[i]);
-    if (other == rods_) continue;
-    const auto other_node = static_cast<std::size_t>(node_of_slot_[other]);
-    const double* shift = shifts_[static_cast<std::size_t>(image_[i])].shift;
-    near.push_back({static_cast<std::size_t>(fiber_of_slot_[other]), other_node,
-                    Vec3(shift[0], shift[1], shift[2]) + wrap_[node] - wrap_[other_node]});
+  const SlotIndex subject = slot(rod);
+  for (std::int32_t i = begin_[subject]; i < begin_[subject + 1]; ++i) {
+    if (rod_[i] == SlotIndex(rods_)) continue;
+    const RodIndex other = rod_of_slot_[rod_[i]];
+    near.push_back({fiber_of_slot_[rod_[i]], other, shift_of(image_[i]) + wrap_[rod] - wrap_[other]});
   }
   return near;
 }

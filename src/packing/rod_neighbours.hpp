@@ -14,8 +14,8 @@ namespace fiberfate {
 
 /// A rod near another one.
 struct NeighbourRod {
-  std::size_t fiber = 0;
-  std::size_t node = 0;       ///< where it begins
+  FiberIndex fiber;
+  RodIndex rod;
   Vec3 shift = Vec3::Zero();  ///< to be added to its nodes to bring it near
 };
 
@@ -28,44 +28,52 @@ class RodNeighbours {
   /// Sorts and lists the rods at their present positions.
   void build(const Chains& chains, const NeighbourRange& range);
   /// Writes the records of a fiber's rods from its nodes; to be called after it moved.
-  void refresh(const Chains& chains, std::size_t fiber);
+  void refresh(const Chains& chains, FiberIndex fiber);
   [[nodiscard]] RepulsionInput input() const;
-  /// Lists the rods near the one that begins at this node.
-  [[nodiscard]] std::vector<NeighbourRod> of(std::size_t node) const;
-  [[nodiscard]] std::size_t slot(std::size_t node) const {
-    return static_cast<std::size_t>(slot_of_node_[node]);
-  }
-  [[nodiscard]] std::ptrdiff_t rod_count() const { return static_cast<std::ptrdiff_t>(rods_); }
+  /// Lists the rods near a rod.
+  [[nodiscard]] std::vector<NeighbourRod> of(RodIndex rod) const;
+  [[nodiscard]] SlotIndex slot(RodIndex rod) const { return slot_of_rod_[rod]; }
+  [[nodiscard]] Index rod_count() const { return rods_; }
   /// Number of listed neighbours, every pair twice, without padding.
   [[nodiscard]] std::int64_t listed() const { return listed_; }
 
  private:
   struct ChunkLists;
   struct Candidates;
+  /// Where and how far to look.
+  struct Search {
+    const Chains& chains;
+    const NeighbourRange& range;
+    const BoxGrid& grid;
+  };
+  /// A rod in an image of the cell.
   struct ImagedRod {
-    std::size_t slot;
-    std::int32_t image;
+    SlotIndex slot;
+    ImageIndex image;
   };
   void sort(const Chains& chains, BoxGrid& grid);
-  void arrange(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid);
-  void collect(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid, std::size_t subject,
-               Candidates& candidates) const;
-  [[nodiscard]] bool is_own_neighbour(const Chains& chains, const NeighbourRange& range, std::size_t subject,
-                                      const ImagedRod& other) const;
-  void keep_near(const NeighbourRange& range, std::size_t subject, const Candidates& candidates,
+  void arrange(const Search& search);
+  void number_images(const Search& search);
+  void collect(const Search& search, SlotIndex subject, Candidates& candidates) const;
+  [[nodiscard]] bool is_own_neighbour(const Search& search, SlotIndex subject, const ImagedRod& other) const;
+  void keep_near(const NeighbourRange& range, SlotIndex subject, const Candidates& candidates,
                  ChunkLists& lists) const;
   void join(const std::vector<ChunkLists>& found);
-  void list(const Chains& chains, const NeighbourRange& range, const BoxGrid& grid);
+  void list(const Search& search);
+  [[nodiscard]] Vec3 shift_of(ImageIndex image) const { return Vec3(shifts_[image].shift); }
 
-  std::size_t rods_ = 0;
+  Index rods_ = 0;
   std::int64_t listed_ = 0;
-  std::vector<std::int32_t> slot_of_node_;
-  std::vector<Vec3> wrap_;  ///< by node: displacement that brought the rod into the cell
-  std::vector<std::int32_t> node_of_slot_, fiber_of_slot_;
-  std::vector<RodRecord> records_;         ///< by slot; one dummy more
-  std::vector<double> x_, y_, z_, reach_;  ///< by slot, when the lists were made; a pack more
-  std::vector<std::int32_t> begin_, rod_, image_;
-  std::vector<ImageShift> shifts_;
+  IndexedVector<RodIndex, SlotIndex> slot_of_rod_;
+  IndexedVector<RodIndex, Vec3> wrap_;  ///< displacement that brought the rod into the cell
+  IndexedVector<SlotIndex, RodIndex> rod_of_slot_;
+  IndexedVector<SlotIndex, FiberIndex> fiber_of_slot_;
+  IndexedVector<SlotIndex, RodRecord> records_;         ///< one dummy more
+  IndexedVector<SlotIndex, double> x_, y_, z_, reach_;  ///< when the lists were made; a pack more
+  IndexedVector<SlotIndex, std::int32_t> begin_;        ///< of its neighbours in `rod_` and `image_`
+  std::vector<SlotIndex> rod_;
+  std::vector<ImageIndex> image_;
+  IndexedVector<ImageIndex, ImageShift> shifts_;
 };
 
 }  // namespace fiberfate

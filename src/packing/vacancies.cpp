@@ -21,21 +21,24 @@ constexpr std::int64_t fraction_mask = 0xffffffff;
 
 /// Calls `visit` with points along a line.
 template <typename Visit>
-void sample(const Vec3& begin, const Vec3& end, const Visit& visit) {
-  const auto points = static_cast<std::ptrdiff_t>(std::ceil((end - begin).norm() / sampling));
-  const Vec3 step = (end - begin) / static_cast<double>(points);
-  for (std::ptrdiff_t i = 0; i < points; ++i) visit(Vec3(begin + (static_cast<double>(i) + 0.5) * step));
+void sample(const Segment& line, const Visit& visit) {
+  const Vec3 whole = line.end - line.begin;
+  const auto points = static_cast<std::ptrdiff_t>(std::ceil(whole.norm() / sampling));
+  const Vec3 step = whole / static_cast<double>(points);
+  for (std::ptrdiff_t i = 0; i < points; ++i) visit(Vec3(line.begin + (static_cast<double>(i) + 0.5) * step));
 }
 
 std::ptrdiff_t box_of(double place) {
   return static_cast<std::ptrdiff_t>(std::floor(place));
 }
+std::array<std::ptrdiff_t, 3> box_of(const Vec3& place) {
+  return {box_of(place[0]), box_of(place[1]), box_of(place[2])};
+}
 
 /// Most boxes: those of a cell whose fibers fill a hundredth of it, and some thousands for a few.
 double most_boxes(const Chains& chains) {
   double length = 0;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f)
-    length += chains.rod_length[f] * static_cast<double>(chains.end_node(f) - chains.begin_node(f) - 1);
+  for (const FiberIndex fiber : chains.fibers()) length += chains.length(fiber);
   constexpr double boxes_a_length = 0.25 * pi / (0.01 * box_size * box_size * box_size);
   return 65536 + boxes_a_length * length;
 }
@@ -46,21 +49,16 @@ Vacancies::Vacancies(const Chains& chains) {
   const Cell& cell = chains.cell;
   const double boxes = cell.volume() / (box_size * box_size * box_size);
   const double size = box_size * std::max(1.0, std::cbrt(boxes / most_boxes(chains)));
+  is_coarse_ = size > box_size;
   Vec3 count;
   for (int i = 0; i < 3; ++i) {
     count[i] = std::max(1.0, std::floor(cell.lattice.col(i).norm() / size));
-    const auto direction = static_cast<std::size_t>(i);
-    count_[direction] = static_cast<std::ptrdiff_t>(count[i]);
-    walled_[direction] = cell.boundary[direction] != Boundary::periodic;
+    count_[i] = static_cast<std::ptrdiff_t>(count[i]);
+    walled_[i] = cell.boundary[i] != Boundary::periodic;
   }
   fraction_of_point_ = cell.lattice.inverse();
   boxes_of_point_ = count.asDiagonal() * fraction_of_point_;
-  filled_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]), 0);
-}
-
-Vacancies::Box Vacancies::box_at(const Vec3& point) const {
-  const Vec3 place = boxes_of_point_ * point;
-  return {box_of(place[0]), box_of(place[1]), box_of(place[2])};
+  filled_.assign(count_[0] * count_[1] * count_[2], 0);
 }
 
 std::ptrdiff_t Vacancies::number(const Box& box) const {
@@ -80,8 +78,7 @@ std::vector<Vacancies::Box> Vacancies::boxes_around(double distance) const {
   const Mat3 point_of_boxes = boxes_of_point_.inverse();
   std::array<std::ptrdiff_t, 3> most{};
   // Rows of the matrix are the gradients of the numbers of boxes.
-  for (int i = 0; i < 3; ++i)
-    most[static_cast<std::size_t>(i)] = box_of(distance * boxes_of_point_.row(i).norm());
+  for (int i = 0; i < 3; ++i) most[i] = box_of(distance * boxes_of_point_.row(i).norm());
   std::vector<Box> boxes;
   for (std::ptrdiff_t z = -most[2]; z <= most[2]; ++z) {
     for (std::ptrdiff_t y = -most[1]; y <= most[1]; ++y) {
@@ -94,15 +91,29 @@ std::vector<Vacancies::Box> Vacancies::boxes_around(double distance) const {
   return boxes;
 }
 
-void Vacancies::fill(const Chains& chains, std::size_t fiber) {
-  const std::vector<Box> around = boxes_around(chains.radius[fiber] + thickest_radius);
-  for (std::size_t k = chains.begin_node(fiber); k + 1 < chains.end_node(fiber); ++k) {
-    sample(chains.position[k], chains.position[k + 1], [&](const Vec3& point) {
-      const Box box = box_at(point);
-      for (const Box& offset : around) {
-        const std::ptrdiff_t at = number({box[0] + offset[0], box[1] + offset[1], box[2] + offset[2]});
-        if (at >= 0) filled_[static_cast<std::size_t>(at)] = 1;
-      }
+void Vacancies::mark(const Box& box) {
+  const std::ptrdiff_t at = number(box);
+  if (at >= 0) filled_[at] = 1;
+}
+
+void Vacancies::mark_between(const Box& low, const Box& high) {
+  for (std::ptrdiff_t z = low[2]; z <= high[2]; ++z) {
+    for (std::ptrdiff_t y = low[1]; y <= high[1]; ++y) {
+      for (std::ptrdiff_t x = low[0]; x <= high[0]; ++x) mark({x, y, z});
+    }
+  }
+}
+
+void Vacancies::fill(const Chains& chains, FiberIndex fiber) {
+  const double contact = chains.radius[fiber] + thickest_radius;
+  const std::vector<Box> around = boxes_around(contact);
+  const Vec3 reach = contact * boxes_of_point_.rowwise().norm();
+  for (const RodIndex rod : chains.rods(fiber)) {
+    sample(chains.segment(rod), [&](const Vec3& point) {
+      const Vec3 place = boxes_of_point_ * point;
+      if (is_coarse_) return mark_between(box_of(place - reach), box_of(place + reach));
+      const Box box = box_of(place);
+      for (const Box& offset : around) mark({box[0] + offset[0], box[1] + offset[1], box[2] + offset[2]});
     });
   }
 }
@@ -128,7 +139,7 @@ double Vacancies::filled_share(const StraightAxis& line, double enough) const {
       number = number * count_[i] + (((place[i] & fraction_mask) * count_[i]) >> fraction_bits);
       place[i] += move[i];
     }
-    filled += beyond ? 1 : filled_[static_cast<std::size_t>(number)];
+    filled += beyond ? 1 : filled_[number];
   }
   return static_cast<double>(filled) / static_cast<double>(points);
 }

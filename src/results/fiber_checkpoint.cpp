@@ -35,6 +35,10 @@ class Saver {
   void array(const std::string& name, const std::vector<T>& values) {
     file_.write(name, view(values));
   }
+  template <class Kind>
+  void array(const std::string& name, const std::vector<IndexOf<Kind>>& values) {
+    file_.write(name, numbers(values));
+  }
   void array(const std::string& name, const std::vector<Vec3>& values) {
     const std::vector<double> numbers = flattened(values);
     file_.write(name, view(numbers), 3);
@@ -55,6 +59,11 @@ class Loader {
   template <class T>
   void array(const std::string& name, std::vector<T>& values) {
     values = file_.read<T>(name);
+  }
+  template <class Kind>
+  void array(const std::string& name, std::vector<IndexOf<Kind>>& values) {
+    values.clear();
+    for (const Index number : file_.read<Index>(name)) values.emplace_back(number);
   }
   void array(const std::string& name, std::vector<Vec3>& values) {
     values = vectors_of(file_.read<double>(name));
@@ -140,7 +149,7 @@ bool is_whole(const FiberState& state) {
   return state.relative_velocity.size() == nodes && state.rod_length.size() == nodes &&
          state.first_node.size() == fibers + 1 && state.birth_node.size() == fibers &&
          state.material_id.size() == fibers && state.touches_previous.size() == fibers &&
-         static_cast<std::size_t>(state.first_node.back()) == nodes;
+         state.first_node.back() == NodeIndex(nodes);
 }
 
 /// Fills a new checkpoint file.

@@ -27,9 +27,10 @@ FiberShapes shapes_of(const FiberState& state) {
   FiberShapes shapes;
   shapes.cell = state.cell;
   shapes.kinds = state.material_id;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber)
-    shapes.fibers.emplace_back(state.position.begin() + state.begin_node(fiber),
-                               state.position.begin() + state.end_node(fiber));
+  for (const FiberIndex fiber : state.fibers()) {
+    const std::span<const Vec3> nodes = state.positions(fiber);
+    shapes.fibers.emplace_back(nodes.begin(), nodes.end());
+  }
   return shapes;
 }
 

@@ -10,13 +10,10 @@ namespace {
 
 /// Curvature at every node, 1/m: the inverse radius at hinges, zero at ends.
 std::vector<float> curvatures(const FiberState& state) {
-  std::vector<float> curvature(static_cast<std::size_t>(state.node_count()), 0.0F);
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
-    for (Index node = state.begin_node(fiber) + 1; node + 1 < state.end_node(fiber); ++node) {
-      const auto k = static_cast<std::size_t>(node);
-      const double radius = hinge_radius(state.position[k - 1], state.position[k], state.position[k + 1]);
-      curvature[k] = static_cast<float>(1 / radius);
-    }
+  IndexedVector<NodeIndex, float> curvature(state.position.size(), 0.0F);
+  for (const FiberIndex fiber : state.fibers()) {
+    for (const NodeIndex hinge : state.hinges(fiber))
+      curvature[hinge] = static_cast<float>(1 / hinge_radius(state, hinge));
   }
   return curvature;
 }
@@ -50,7 +47,7 @@ std::uint16_t material_of_radius(FiberState& state, double radius) {
 void append_polyline(FiberState& state, const PolyFrame& frame, std::size_t line, double radius) {
   std::vector<Vec3> nodes;
   for (auto k = frame.offsets[line]; k < frame.offsets[line + 1]; ++k)
-    nodes.emplace_back(&frame.points[3 * static_cast<std::size_t>(k)]);
+    nodes.emplace_back(&frame.points[3 * k]);
   append_fiber(state, {nodes, material_of_radius(state, radius)});
 }
 
@@ -62,13 +59,14 @@ PolyFrame fiber_frame(const FiberState& state) {
   frame.points.reserve(3 * state.position.size());
   for (const Vec3& point : state.position)
     frame.points.insert(frame.points.end(), point.data(), point.data() + 3);
-  frame.offsets.assign(state.first_node.begin(), state.first_node.end());
+  const std::span<const Index> offsets = numbers(state.first_node);
+  frame.offsets.assign(offsets.begin(), offsets.end());
   std::vector<float> lengths;
   std::vector<std::int32_t> materials;
   std::vector<double> radii;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) {
+  for (const FiberIndex fiber : state.fibers()) {
     lengths.push_back(static_cast<float>(fiber_length(state, fiber)));
-    materials.push_back(state.material_id[static_cast<std::size_t>(fiber)]);
+    materials.push_back(state.material_id[fiber]);
     radii.push_back(state.material(fiber).radius);
   }
   frame.point_data = {{"relative_velocity", "m/s", 3, velocities(state)},

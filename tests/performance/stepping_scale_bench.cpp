@@ -58,10 +58,9 @@ FiberState tiled(const IntVec3& repeats) {
   for (int x = 0; x < repeats.x(); ++x) {
     for (int y = 0; y < repeats.y(); ++y) {
       for (int z = 0; z < repeats.z(); ++z) {
-        std::vector<Vec3> nodes = one.position;
-        for (Vec3& node : nodes) node += one.cell.lattice * Vec3(x, y, z);
-        for (Index f = 0; f < one.fiber_count(); ++f)
-          append_fiber(state, {{nodes.data() + one.begin_node(f), nodes.data() + one.end_node(f)}, 0});
+        FiberState copy = one;
+        for (Vec3& node : copy.position) node += one.cell.lattice * Vec3(x, y, z);
+        for (const FiberIndex f : copy.fibers()) append_fiber(state, {copy.positions(f), 0});
         std::copy(one.relative_velocity.begin(), one.relative_velocity.end(),
                   state.relative_velocity.end() - one.node_count());
       }

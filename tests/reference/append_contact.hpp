@@ -7,7 +7,7 @@ namespace fiberfate::reference {
 
 inline void append_contact(ContactChunk& chunk, const Contact& contact) {
   chunk.reserve(chunk.count + 1);
-  const auto i = static_cast<std::size_t>(chunk.count++);
+  const int i = chunk.count++;
   chunk.first[i] = contact.first;
   chunk.second[i] = contact.second;
   chunk.image[i] = contact.image;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "dynamics/parameters.hpp"
@@ -18,8 +19,8 @@ namespace fiberfate::reference {
 
 /// Holds one contact: forces +F on the first rod and −F on the second at their closest points.
 struct PairContact {
-  Index first = 0;   ///< node at which the first rod begins
-  Index second = 0;  ///< node at which the second rod begins
+  RodIndex first;
+  RodIndex second;
   double s = 0;
   double t = 0;
   Vec3 normal = Vec3::UnitX();  ///< from the second to the first
@@ -37,11 +38,11 @@ class ExplicitSimulation {
   /// Makes one explicit Euler step.
   void step(double size) {
     solve_velocities();
-    for (std::size_t k = 0; k < state_.position.size(); ++k) {
+    for (const NodeIndex k : state_.nodes()) {
       const Vec3 velocity = state_.relative_velocity[k] + flow_.gradient * state_.position[k];
       state_.position[k] += size * velocity;
     }
-    for (Index f = 0; f < state_.fiber_count(); ++f) restore_lengths(f);
+    for (const FiberIndex f : state_.fibers()) restore_lengths(f);
     deform(state_.cell, flow_.gradient, size);
     state_.time += size;
   }
@@ -49,8 +50,8 @@ class ExplicitSimulation {
   /// All contacts of rods and of their images that are closer than the reach of the force.
   [[nodiscard]] std::vector<PairContact> contacts() const {
     std::vector<PairContact> found;
-    for (Index f = 0; f < state_.fiber_count(); ++f) {
-      for (Index g = f; g < state_.fiber_count(); ++g) add_contacts(f, g, found);
+    for (const FiberIndex f : state_.fibers()) {
+      for (FiberIndex g = f; g < FiberIndex(state_.fiber_count()); ++g) add_contacts(f, g, found);
     }
     return found;
   }
@@ -67,36 +68,37 @@ class ExplicitSimulation {
   }
 
  private:
+  using Loads = IndexedVector<FiberIndex, DenseLoads>;
+
   void solve_velocities() {
-    std::vector<DenseLoads> loads(std::size_t(state_.fiber_count()));
+    Loads loads(state_.fiber_count());
     for (const PairContact& contact : contacts()) {
       const Vec3 force = force_on_first(contact);
       const Vec3 half_way = 0.5 * contact.distance * contact.normal;
       add_load(contact.first, {0, contact.s, force, -half_way}, loads);
       add_load(contact.second, {0, contact.t, -force, half_way}, loads);
     }
-    for (Index f = 0; f < state_.fiber_count(); ++f) {
-      const auto first = state_.position.begin();
-      const DenseFiber fiber{{first + state_.begin_node(f), first + state_.end_node(f)},
-                             state_.material(f).radius,
-                             state_.material(f).bending_stiffness()};
-      const DenseMotion motion = solve_dense(fiber, flow_, loads[std::size_t(f)]);
-      for (std::size_t k = 0; k < fiber.nodes.size(); ++k) {
-        state_.relative_velocity[std::size_t(state_.begin_node(f)) + k] =
-            motion.node_velocity[k] - flow_.gradient * fiber.nodes[k];
+    for (const FiberIndex f : state_.fibers()) {
+      const auto nodes = state_.positions(f);
+      const DenseFiber fiber{
+          {nodes.begin(), nodes.end()}, state_.material(f).radius, state_.material(f).bending_stiffness()};
+      const DenseMotion motion = solve_dense(fiber, flow_, loads[f]);
+      for (const NodeIndex node : state_.nodes(f)) {
+        const Vec3& velocity = motion.node_velocity[node - state_.begin_node(f)];
+        state_.relative_velocity[node] = velocity - flow_.gradient * state_.position[node];
       }
     }
   }
 
   /// Velocity of a rod's skin at `off_axis` from its axis: the rod turns with its nodes, and spins about its
   /// axis with the fluid.
-  [[nodiscard]] Vec3 skin_velocity(Index rod, double place, const Vec3& off_axis) const {
-    const auto k = std::size_t(rod);
-    const Vec3 axis = state_.position[k + 1] - state_.position[k];
+  [[nodiscard]] Vec3 skin_velocity(RodIndex rod, double place, const Vec3& off_axis) const {
+    const Vec3 axis = state_.axis(rod);
     const Vec3 p = axis.normalized();
-    const Vec3 v =
-        state_.relative_velocity[k] + place * (state_.relative_velocity[k + 1] - state_.relative_velocity[k]);
-    const Vec3 change = state_.relative_velocity[k + 1] - state_.relative_velocity[k] + flow_.gradient * axis;
+    const Vec3& begin = state_.relative_velocity[first_end(rod)];
+    const Vec3& end = state_.relative_velocity[second_end(rod)];
+    const Vec3 v = begin + place * (end - begin);
+    const Vec3 change = end - begin + flow_.gradient * axis;
     const Vec3 rotation = p.cross(change) / axis.norm() + p.dot(flow_.angular_velocity()) * p;
     return v + rotation.cross(off_axis);
   }
@@ -114,17 +116,16 @@ class ExplicitSimulation {
     return normal * n - contact_.friction * normal / speed * slip;
   }
 
-  void add_load(Index rod, PointLoad load, std::vector<DenseLoads>& loads) const {
-    const auto after = std::upper_bound(state_.first_node.begin(), state_.first_node.end(), rod);
-    const auto fiber = std::size_t(after - state_.first_node.begin() - 1);
-    load.rod = int(rod - state_.first_node[fiber]);
-    loads[fiber].points.push_back(load);
+  void add_load(RodIndex rod, PointLoad load, Loads& loads) const {
+    load.rod = first_end(rod) - state_.begin_node(fiber_of(rod));
+    loads[fiber_of(rod)].points.push_back(load);
   }
 
-  void add_contacts(Index f, Index g, std::vector<PairContact>& found) const {
-    for (Index i = state_.begin_node(f); i + 1 < state_.end_node(f); ++i) {
-      for (Index j = f == g ? i : state_.begin_node(g); j + 1 < state_.end_node(g); ++j) {
-        const Vec3 apart = state_.position[std::size_t(j)] - state_.position[std::size_t(i)];
+  void add_contacts(FiberIndex f, FiberIndex g, std::vector<PairContact>& found) const {
+    for (const RodIndex i : state_.rods(f)) {
+      for (const RodIndex j : state_.rods(g)) {
+        if (j < i) continue;
+        const Vec3 apart = state_.position[first_end(j)] - state_.position[first_end(i)];
         const Vec3 nearest = (state_.cell.lattice.inverse() * apart).array().round();
         for (int image = 0; image < 27; ++image) {
           const Vec3 offset(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
@@ -135,17 +136,15 @@ class ExplicitSimulation {
   }
 
   /// Keeps the contact of rod i with the given image of rod j when they touch there.
-  void add_contact(Index i, Index j, const IntVec3& image, std::vector<PairContact>& found) const {
+  void add_contact(RodIndex i, RodIndex j, const IntVec3& image, std::vector<PairContact>& found) const {
     const bool same_chain = fiber_of(i) == fiber_of(j);
     if (same_chain && image.isZero() && j - i <= 1) return;
     if (i == j && !is_positive(image)) return;  // a rod and its image are the same pair seen twice
     const Vec3 shift = state_.cell.shift(image);
-    const double reach = 0.5 * (state_.rod_length[std::size_t(i)] + state_.rod_length[std::size_t(j)]) +
+    const double reach = 0.5 * (state_.rod_length[i] + state_.rod_length[j]) +
                          (contact_.cutoff + 1) * state_.materials[0].radius;
-    if ((middle(i) - middle(j) - shift).norm() > reach) return;
-    const auto closest = closest_points(
-        {state_.position[std::size_t(i)], state_.position[std::size_t(i) + 1]},
-        {state_.position[std::size_t(j)] + shift, state_.position[std::size_t(j) + 1] + shift});
+    if ((state_.centre(i) - state_.centre(j) - shift).norm() > reach) return;
+    const auto closest = closest_points(state_.segment(i), shifted(state_.segment(j), shift));
     if (normal_force(closest.distance) <= 0) return;
     if (!is_nearest_along_fiber(i, closest.s, -closest.separation)) return;
     if (!is_nearest_along_fiber(j, closest.t, closest.separation)) return;
@@ -153,16 +152,11 @@ class ExplicitSimulation {
   }
 
   /// Both rods of a hinge may see the same contact there: it counts where the fiber is locally nearest, once.
-  [[nodiscard]] bool is_nearest_along_fiber(Index rod, double place, const Vec3& towards_other) const {
-    const Index fiber = fiber_of(rod);
-    if (place <= 0) return rod == state_.begin_node(fiber);
-    if (place < 1 || rod + 2 == state_.end_node(fiber)) return true;
-    const Vec3 next = state_.position[std::size_t(rod) + 2] - state_.position[std::size_t(rod) + 1];
-    return next.dot(towards_other) <= 0;
-  }
-
-  [[nodiscard]] Vec3 middle(Index rod) const {
-    return 0.5 * (state_.position[std::size_t(rod)] + state_.position[std::size_t(rod) + 1]);
+  [[nodiscard]] bool is_nearest_along_fiber(RodIndex rod, double place, const Vec3& towards_other) const {
+    const FiberIndex fiber = fiber_of(rod);
+    if (place <= 0) return first_end(rod) == state_.begin_node(fiber);
+    if (place < 1 || second_end(rod) == state_.last_node(fiber)) return true;
+    return state_.axis(rod + 1).dot(towards_other) <= 0;
   }
 
   static bool is_positive(const IntVec3& image) {
@@ -172,26 +166,22 @@ class ExplicitSimulation {
     return false;
   }
 
-  [[nodiscard]] Index fiber_of(Index rod) const {
-    const auto after = std::upper_bound(state_.first_node.begin(), state_.first_node.end(), rod);
-    return Index(after - state_.first_node.begin()) - 1;
+  [[nodiscard]] FiberIndex fiber_of(RodIndex rod) const {
+    const auto after = std::upper_bound(state_.first_node.begin(), state_.first_node.end(), first_end(rod));
+    return FiberIndex(after - state_.first_node.begin() - 1);
   }
 
   /// Rods keep their lengths but for the step's error; the fiber's centroid stays.
-  void restore_lengths(Index f) {
+  void restore_lengths(FiberIndex f) {
     const Vec3 centroid = fiber_centroid(state_, f);
-    std::vector<Vec3> axes;
-    for (Index k = state_.begin_node(f); k + 1 < state_.end_node(f); ++k) {
-      const auto n = std::size_t(k);
-      axes.emplace_back((state_.position[n + 1] - state_.position[n]).normalized() * state_.rod_length[n]);
+    Vec3 end = state_.position[state_.begin_node(f)];
+    for (const RodIndex rod : state_.rods(f)) {
+      const Vec3 axis = state_.axis(rod).normalized() * state_.rod_length[rod];
+      state_.position[first_end(rod)] = std::exchange(end, end + axis);
     }
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-      const auto n = std::size_t(state_.begin_node(f)) + i;
-      state_.position[n + 1] = state_.position[n] + axes[i];
-    }
+    state_.position[state_.last_node(f)] = end;
     const Vec3 shift = centroid - fiber_centroid(state_, f);
-    for (Index k = state_.begin_node(f); k < state_.end_node(f); ++k)
-      state_.position[std::size_t(k)] += shift;
+    for (const NodeIndex node : state_.nodes(f)) state_.position[node] += shift;
   }
 
   FiberState state_;

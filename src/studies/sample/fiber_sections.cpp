@@ -201,7 +201,7 @@ HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector
 
 std::vector<double> fiber_lengths(const FiberState& state) {
   std::vector<double> lengths;
-  for (Index fiber = 0; fiber < state.fiber_count(); ++fiber) lengths.push_back(fiber_length(state, fiber));
+  for (const FiberIndex fiber : state.fibers()) lengths.push_back(fiber_length(state, fiber));
   return lengths;
 }
 
@@ -213,17 +213,17 @@ std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
   std::vector<LinesSection> sections;
   for (int along = 2; along >= 0; --along) {
     const int across = along == 0 ? 1 : 0, up = along == 2 ? 1 : 2;
-    const char* seen = axes[static_cast<std::size_t>(along)];
+    const char* seen = axes[along];
     LinesSection section{fmt::format("projection_{}", seen),
                          fmt::format("Seen along {}", seen),
-                         {axes[static_cast<std::size_t>(across)], "m"},
-                         {axes[static_cast<std::size_t>(up)], "m"},
+                         {axes[across], "m"},
+                         {axes[up], "m"},
                          {},
                          {{"fibers", {}}}};
     ReportSeries& fibers = section.series.front();
-    for (Index fiber = 0; fiber < state.fiber_count(); fiber += stride) {
-      for (Index node = state.begin_node(fiber); node < state.end_node(fiber); ++node) {
-        const Vec3& x = state.position[static_cast<std::size_t>(node)];
+    for (const FiberIndex fiber : state.fibers()) {
+      if (fiber.value() % stride != 0) continue;
+      for (const Vec3& x : state.positions(fiber)) {
         fibers.x.push_back(x[across]);
         fibers.values.push_back(x[up]);
       }

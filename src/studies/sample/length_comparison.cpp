@@ -66,15 +66,14 @@ std::vector<KindComparison> compare_kinds(const SampleCase& sample, const FiberS
   const std::vector<FiberSpecies> kinds = species(sample);
   std::vector<KindComparison> comparisons(kinds.size());
   std::vector<double> squares(kinds.size());
-  const std::vector<double> lengths = fiber_lengths(state);
   double volume = 0, shares = 0;
-  for (std::size_t f = 0; f < lengths.size(); ++f) {
-    const std::size_t kind = state.material_id[f];
-    const double radius = kinds.at(kind).material.radius;
+  for (const FiberIndex fiber : state.fibers()) {
+    const std::size_t kind = state.material_id[fiber];
+    const double radius = kinds.at(kind).material.radius, length = fiber_length(state, fiber);
     ++comparisons[kind].fibers;
-    comparisons[kind].number_average += lengths[f];
-    squares[kind] += lengths[f] * lengths[f];
-    comparisons[kind].volume_share += pi * radius * radius * lengths[f];
+    comparisons[kind].number_average += length;
+    squares[kind] += length * length;
+    comparisons[kind].volume_share += pi * radius * radius * length;
   }
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     KindComparison& one = comparisons[k];

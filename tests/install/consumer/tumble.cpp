@@ -14,7 +14,7 @@ int main() {
   Simulation simulation(DynamicsParameters{}, FlowHistory::constant(10, 200), state);
   while (simulation.state().time < 0.1) simulation.advance(0.1);
   // A slender fiber follows the fluid: after a strain of one it lies at 45 degrees.
-  const Vec3 axis = simulation.state().position[2] - simulation.state().position[0];
+  const Vec3 axis = simulation.state().position.back() - simulation.state().position.front();
   std::printf("%.3f\n", axis.x() / axis.y());
   return axis.x() / axis.y() > 0.9 && axis.x() / axis.y() < 1.1 ? 0 : 1;
 }

@@ -40,8 +40,8 @@ double decay_rate() {
 }
 
 double amplitude(const FiberState& state) {
-  const std::size_t last = state.position.size() - 1;
-  return 0.5 * (state.position[0] + state.position[last]).y() - state.position[last / 2].y();
+  const NodeIndex middle(state.position.size() / 2);
+  return 0.5 * (state.position.front() + state.position.back()).y() - state.position[middle].y();
 }
 
 FiberState bent_fiber(int rods) {
@@ -80,17 +80,16 @@ TEST(BendingRelaxation, ConvergesToTheFirstModeWithFourthOrder) {
 // A fiber that has straightened must have done so without drifting, turning or changing length.
 TEST(BendingRelaxation, LeavesCentroidDirectionAndLength) {
   FiberState start = bent_fiber(25);
-  const Vec3 centroid = fiber_centroid(start, 0);
+  const Vec3 centroid = fiber_centroid(start, FiberIndex(0));
   const double rate = decay_rate();
   Simulation simulation(scenes::lone_and_fixed_step(1e-2 / rate),
                         FlowHistory::constant(0, scenes::melt_viscosity), start);
   scenes::run_until(simulation, 5 / rate);
-  EXPECT_LT((fiber_centroid(simulation.state(), 0) - centroid).norm(), 1e-12 * length);
+  EXPECT_LT((fiber_centroid(simulation.state(), FiberIndex(0)) - centroid).norm(), 1e-12 * length);
   EXPECT_LT(std::abs(scenes::end_to_end(simulation.state()).normalized().y()), 1e-9);
   double total = 0;
-  for (std::size_t k = 0; k + 1 < start.position.size(); ++k)
-    total += (simulation.state().position[k + 1] - simulation.state().position[k]).norm();
-  EXPECT_NEAR(total, fiber_length(start, 0), 1e-13 * total);
+  for (const RodIndex rod : start.rods(FiberIndex(0))) total += simulation.state().axis(rod).norm();
+  EXPECT_NEAR(total, fiber_length(start, FiberIndex(0)), 1e-13 * total);
 }
 
 }  // namespace

@@ -28,11 +28,10 @@ DynamicsParameters breaking_easily() {
 /// Rod lengths of every original fiber, along it, as its fragments hold them; and the places where it broke.
 std::map<Name, double> rods_by_birth(const FiberState& state) {
   std::map<Name, double> rods;
-  for (Index f = 0; f < state.fiber_count(); ++f) {
-    for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k) {
-      const auto along = state.birth_node[std::size_t(f)] + std::uint32_t(k - state.begin_node(f));
-      const bool is_new =
-          rods.insert({{state.birth_id[std::size_t(f)], along}, state.rod_length[std::size_t(k)]}).second;
+  for (const FiberIndex f : state.fibers()) {
+    for (const RodIndex k : state.rods(f)) {
+      const auto along = state.birth_node[f] + std::uint32_t(first_end(k) - state.begin_node(f));
+      const bool is_new = rods.insert({{state.birth_id[f], along}, state.rod_length[k]}).second;
       EXPECT_TRUE(is_new) << "a rod is there twice";
     }
   }
@@ -48,12 +47,9 @@ TEST(Breakage, ConservesEveryRodExactly) {
   EXPECT_EQ(rods_by_birth(start), rods_by_birth(end));
   EXPECT_EQ(end.rod_count(), start.rod_count());
   EXPECT_EQ(end.fiber_count(), start.fiber_count() + end.breaks);
-  for (Index f = 0; f < end.fiber_count(); ++f) {
-    for (Index k = end.begin_node(f); k + 1 < end.end_node(f); ++k) {
-      const auto n = std::size_t(k);
-      EXPECT_NEAR((end.position[n + 1] - end.position[n]).norm(), end.rod_length[n],
-                  1e-13 * end.rod_length[n]);
-    }
+  for (const FiberIndex f : end.fibers()) {
+    for (const RodIndex rod : end.rods(f))
+      EXPECT_NEAR(end.axis(rod).norm(), end.rod_length[rod], 1e-13 * end.rod_length[rod]);
   }
 }
 
@@ -74,10 +70,9 @@ TEST(Breakage, RecordsEveryBreak) {
     const double checks = event.time / parameters.breakage.check_interval;
     EXPECT_NEAR(checks, std::round(checks), 1e-6) << "a break between checks";
   }
-  for (Index f = 0; f < simulation.state().fiber_count(); ++f) {
-    const auto birth = std::size_t(f);
-    const std::uint32_t along = simulation.state().birth_node[birth];
-    EXPECT_EQ(along > 0, places.count({simulation.state().birth_id[birth], along}) == 1);
+  for (const FiberIndex f : simulation.state().fibers()) {
+    const std::uint32_t along = simulation.state().birth_node[f];
+    EXPECT_EQ(along > 0, places.count({simulation.state().birth_id[f], along}) == 1);
   }
 }
 

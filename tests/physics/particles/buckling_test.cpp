@@ -100,7 +100,7 @@ FiberState bend_into(const BucklingMode& mode, const BentFiber& fiber) {
 /// Size of the even part of the bending. The odd part is another matter: the strain's couple on the rods'
 /// thickness acts like a pair of forces at the ends and bends any fiber that turns very slightly into an S.
 double bending(const FiberState& state) {
-  const auto& x = state.position;
+  const std::vector<Vec3>& x = state.position;
   const std::size_t last = x.size() - 1;
   const auto turn = [&](std::size_t k) -> Vec3 { return x[k + 1] - 2 * x[k] + x[k - 1]; };
   double sum = 0;

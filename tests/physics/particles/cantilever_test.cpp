@@ -14,21 +14,21 @@ const double stiffness = scenes::glass.bending_stiffness();
 
 /// A force on a point of a rod.
 struct Load {
-  Index rod;
+  int rod;
   double lever;
   Vec3 force;
 };
 
-std::vector<Vec3> solve(const FiberState& state, const std::vector<Load>& forces, double step) {
+IndexedVector<NodeIndex, Vec3> solve(const FiberState& state, const std::vector<Load>& forces, double step) {
   RodLoads loads;
   std::vector<RodLoads::Claim> claims;
-  std::vector<Index> slots;
-  for (const Load& load : forces) claims.push_back({load.rod, claims.size()});
+  std::vector<RodLoads::Slot> slots;
+  for (const Load& load : forces) claims.push_back({RodIndex(load.rod), claims.size()});
   loads.arrange(state.node_count(), claims, slots);
   for (std::size_t i = 0; i < forces.size(); ++i)
     loads.slot(slots[i]) = {forces[i].lever, forces[i].force, {}};
-  std::vector<Vec3> velocity(state.position.size());
-  std::vector<double> tension(state.position.size());
+  IndexedVector<NodeIndex, Vec3> velocity(state.position.size());
+  IndexedVector<RodIndex, double> tension(state.position.size());
   Flow rest;
   rest.viscosity = scenes::melt_viscosity;
   ChainSolver solver;
@@ -43,7 +43,7 @@ void settle(FiberState& state, const std::vector<Load>& forces) {
   for (int i = 0; i < 20; ++i) {
     const double step = 1e4;
     const auto velocity = solve(state, forces, step);
-    for (std::size_t k = 0; k < velocity.size(); ++k) state.position[k] += step * velocity[k];
+    for (const NodeIndex node : state.nodes()) state.position[node] += step * velocity[node];
   }
 }
 
@@ -53,8 +53,8 @@ FiberState two_cantilevers(int n) {
 }
 
 double tip_deflection(const FiberState& state) {
-  const std::size_t last = state.position.size() - 1;
-  return 0.5 * (state.position[0] + state.position[last]).y() - state.position[last / 2].y();
+  const NodeIndex middle(state.position.size() / 2);
+  return 0.5 * (state.position.front() + state.position.back()).y() - state.position[middle].y();
 }
 
 /// Deflection F R³/(3 E I) of a cantilever of length R under a force F at its tip. A chain of n equal rods
@@ -88,8 +88,7 @@ TEST(Cantilever, UnderAUniformForceConvergesWithSecondOrder) {
   for (const int n : {4, 8, 16, 32}) {
     FiberState state = two_cantilevers(n);
     std::vector<Load> loads = {{n, 0.0, Vec3(0, -2 * density * half_length, 0)}};
-    for (Index rod = 0; rod < 2 * n; ++rod)
-      loads.push_back({rod, 0.5, Vec3(0, density * half_length / n, 0)});
+    for (int rod = 0; rod < 2 * n; ++rod) loads.push_back({rod, 0.5, Vec3(0, density * half_length / n, 0)});
     settle(state, loads);
     errors.push_back(tip_deflection(state) / theory_under_uniform_force(density) - 1);
   }
@@ -105,8 +104,8 @@ TEST(StraightFiber, UnderAUniformForceStaysStraight) {
   for (const double x : {0.0, 0.3e-3, 0.5e-3, 1.1e-3, 1.2e-3, 2.0e-3}) nodes.emplace_back(x, 0, 0);
   const FiberState state = scenes::lone_fiber(nodes);
   std::vector<Load> loads;
-  for (Index rod = 0; rod < state.rod_count(); ++rod)
-    loads.push_back({rod, 0.5, density * state.rod_length[std::size_t(rod)] * Vec3(0.5, 1, 0)});
+  for (const RodIndex rod : state.rods(FiberIndex(0)))
+    loads.push_back({rod.value(), 0.5, density * state.rod_length[rod] * Vec3(0.5, 1, 0)});
   const Vec3 theory = density / (3 * pi * scenes::melt_viscosity) * Vec3(0.5, 1, 0);
   double largest = 0;
   for (const double step : {0.0, 1e-3}) {

@@ -38,21 +38,20 @@ constexpr Laws laws_to_try[] = {{"beads", "exponential", 200}, {"slender_body", 
 
 /// Evaluates the drag on every rod of a fiber from the velocities w of a fluid at rest: −(parallel p p +
 /// perpendicular (I − p p)) w(c) at the centre, and −rotational p × (w_{i+1} − w_i)/l.
-Wrench drag_of_fiber(const FiberState& state, const std::vector<Vec3>& position, Index f, const char* law) {
+Wrench drag_of_fiber(const FiberState& state, const FiberNodes& start, FiberIndex f, const char* law) {
   Wrench sum;
   const auto drag = unit_drag_of_rods(state, law);
-  for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k) {
-    const auto n = std::size_t(k);
-    const Vec3& before = state.relative_velocity[n];
-    const Vec3& after = state.relative_velocity[n + 1];
-    const Vec3 axis = position[n + 1] - position[n];
+  for (const RodIndex n : state.rods(f)) {
+    const Vec3& before = state.relative_velocity[first_end(n)];
+    const Vec3& after = state.relative_velocity[second_end(n)];
+    const Vec3 axis = start.axis(n);
     const Vec3 middle = 0.5 * (before + after);
     const Vec3 along = axis * axis.dot(middle) / axis.squaredNorm();
     const Vec3 force =
         -scenes::melt_viscosity * (drag[n].perpendicular * (middle - along) + drag[n].parallel * along);
     const Vec3 couple =
         -scenes::melt_viscosity * drag[n].rotational * axis.cross(after - before) / axis.squaredNorm();
-    const Vec3 torque = couple + (position[n] + 0.5 * axis).cross(force);
+    const Vec3 torque = couple + start.centre(n).cross(force);
     sum.force += force;
     sum.torque += torque;
     sum.force_scale += force.norm();
@@ -61,10 +60,10 @@ Wrench drag_of_fiber(const FiberState& state, const std::vector<Vec3>& position,
   return sum;
 }
 
-Wrench drag_of(const FiberState& state, const std::vector<Vec3>& position, const char* law) {
+Wrench drag_of(const FiberState& state, const FiberNodes& start, const char* law) {
   Wrench sum;
-  for (Index f = 0; f < state.fiber_count(); ++f) {
-    const Wrench one = drag_of_fiber(state, position, f, law);
+  for (const FiberIndex f : state.fibers()) {
+    const Wrench one = drag_of_fiber(state, start, f, law);
     sum.force += one.force;
     sum.torque += one.torque;
     sum.force_scale += one.force_scale;
@@ -91,7 +90,7 @@ FiberState stepped(const FiberState& start, double friction, const Laws& laws) {
 TEST(ContactMomentum, BalancesWithoutFriction) {
   const FiberState start = overlapping_fibers();
   for (const Laws& laws : laws_to_try) {
-    const Wrench sum = drag_of(stepped(start, 0, laws), start.position, laws.drag);
+    const Wrench sum = drag_of(stepped(start, 0, laws), start, laws.drag);
     EXPECT_GT(sum.force_scale, 1e-3);
     EXPECT_LT(sum.force.norm(), 1e-11 * sum.force_scale) << laws.drag << ' ' << laws.contact;
     EXPECT_LT(sum.torque.norm(), 1e-11 * sum.torque_scale) << laws.drag << ' ' << laws.contact;
@@ -107,10 +106,10 @@ TEST_P(SpinOfFriction, IsAllThatIsMissingFromTheBalance) {
   const Laws& laws = GetParam();
   const FiberState start = overlapping_fibers();
   const FiberState end = stepped(start, 0.3, laws);
-  const Wrench sum = drag_of(end, start.position, laws.drag);
+  const Wrench sum = drag_of(end, start, laws.drag);
   EXPECT_LT(sum.force.norm(), 1e-11 * sum.force_scale);
   // The drag on the second fiber balances the force on it, −F.
-  const Vec3 force = -drag_of_fiber(end, start.position, 0, laws.drag).force;
+  const Vec3 force = -drag_of_fiber(end, start, FiberIndex(0), laws.drag).force;
   const Vec3 n = Vec3::UnitZ() * -1;  // the second fiber lies above the first
   const double distance = 1.9 * scenes::glass.radius;
   Vec3 spin = Vec3::Zero();
@@ -126,18 +125,18 @@ class ForceOfAContact : public testing::TestWithParam<std::string> {};
 // The force of a contact, which the kernel evaluates in packs, is that of the laws.
 TEST_P(ForceOfAContact, ObeysTheLaws) {
   FiberState state = overlapping_fibers();
-  for (std::size_t k = 0; k < state.position.size(); ++k)
-    state.relative_velocity[k] =
-        1e-4 * Vec3(std::sin(3. * double(k)), std::cos(2. * double(k)), 0.3 * double(k));
+  for (const NodeIndex k : state.nodes()) {
+    const double n = k.value();
+    state.relative_velocity[k] = 1e-4 * Vec3(std::sin(3 * n), std::cos(2 * n), 0.3 * n);
+  }
   ContactParameters parameters;
   parameters.law = GetParam();
   ContactLoads loads(parameters, state);
-  const Segment first{state.position[1], state.position[2]};
-  const Segment second{state.position[5], state.position[6]};
+  const Segment first = state.segment(RodIndex(1)), second = state.segment(RodIndex(5));
   const auto closest = closest_points(first, second);
   Contact contact;
-  contact.first = 1;
-  contact.second = 5;
+  contact.first = RodIndex(1);
+  contact.second = RodIndex(5);
   contact.s = closest.s;
   contact.t = closest.t;
   contact.normal = closest.separation / closest.distance;
@@ -151,18 +150,19 @@ TEST_P(ForceOfAContact, ObeysTheLaws) {
   const PairForce& force = loads.pairs().forces()[0];
   const Flow flow = simple_shear(10, 200);
   // Velocity of the skin, off the axis by h, relative to the fluid at the axis.
-  const auto skin_velocity = [&](Index rod, double place, const Vec3& h) -> Vec3 {
-    const auto k = std::size_t(rod);
-    const Vec3 axis = state.position[k + 1] - state.position[k];
+  const auto skin_velocity = [&](RodIndex rod, double place, const Vec3& h) -> Vec3 {
+    const Vec3 axis = state.axis(rod);
     const Vec3 p = axis.normalized();
-    const Vec3 change = state.relative_velocity[k + 1] - state.relative_velocity[k];
+    const Vec3& begin = state.relative_velocity[first_end(rod)];
+    const Vec3 change = state.relative_velocity[second_end(rod)] - begin;
     const Vec3 turning =
         p.cross(change + flow.gradient * axis) / axis.norm() + p.dot(flow.angular_velocity()) * p;
-    return state.relative_velocity[k] + place * change + turning.cross(h);
+    return begin + place * change + turning.cross(h);
   };
   const Vec3& n = contact.normal;
   const Vec3 half_way = 0.5 * contact.distance * n;
-  const Vec3 relative = skin_velocity(1, contact.s, -half_way) - skin_velocity(5, contact.t, half_way) +
+  const Vec3 relative = skin_velocity(contact.first, contact.s, -half_way) -
+                        skin_velocity(contact.second, contact.t, half_way) +
                         contact.distance * (flow.gradient * n);
   const double approach = n.dot(relative);
   const double sine =

@@ -31,14 +31,12 @@ ContactParameters soft_contact(double friction) {
 
 double largest_distance(const FiberState& a, const FiberState& b) {
   double largest = 0;
-  for (Index f = 0; f < a.fiber_count(); ++f) {
+  for (const FiberIndex f : a.fibers()) {
     // Either may have moved a fiber to another image.
     const Vec3 apart = fiber_centroid(a, f) - fiber_centroid(b, f);
     const Vec3 images = (a.cell.lattice.inverse() * apart).array().round();
-    for (Index k = a.begin_node(f); k < a.end_node(f); ++k) {
-      const auto n = std::size_t(k);
+    for (const NodeIndex n : a.nodes(f))
       largest = std::max(largest, (a.position[n] - b.position[n] - a.cell.lattice * images).norm());
-    }
   }
   return largest;
 }

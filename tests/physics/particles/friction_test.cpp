@@ -54,8 +54,8 @@ double theory(double friction) {
   return -std::min(holding, friction * normal / resistance);
 }
 
-Vec3 middle_velocity(const FiberState& state, Index fiber) {
-  const auto first = std::size_t(state.begin_node(fiber));
+Vec3 middle_velocity(const FiberState& state, int fiber) {
+  const NodeIndex first = state.begin_node(FiberIndex(fiber));
   return 0.5 * (state.relative_velocity[first] + state.relative_velocity[first + 1]);
 }
 

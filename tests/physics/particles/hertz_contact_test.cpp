@@ -38,7 +38,7 @@ DynamicsParameters hertz(double step) {
 }
 
 double overlap_of(const FiberState& state) {
-  return 2 * scenes::glass.radius - (state.position[2].z() - state.position[0].z());
+  return 2 * scenes::glass.radius - (state.position[NodeIndex(2)].z() - state.position[NodeIndex(0)].z());
 }
 
 /// Overlap after a time t of two rigid fibers that push each other apart in melt at rest: each resists with

@@ -27,14 +27,14 @@ FiberState run(const FiberState& start) {
 
 /// Largest difference of nodes' positions after taking off the shift that each fiber began with, which the
 /// flow has carried since, and whole lattice vectors; in radii.
-double largest_difference(const FiberState& a, const FiberState& b, const std::vector<Vec3>& shifts) {
+double largest_difference(const FiberState& a, const FiberState& b,
+                          const IndexedVector<FiberIndex, Vec3>& shifts) {
   Mat3 carried = Mat3::Identity();
   carried(0, 1) = rate * duration;
   double largest = 0;
-  for (Index f = 0; f < a.fiber_count(); ++f) {
-    for (Index k = a.begin_node(f); k < a.end_node(f); ++k) {
-      const auto n = std::size_t(k);
-      const Vec3 apart = b.position[n] - a.position[n] - carried * shifts[std::size_t(f)];
+  for (const FiberIndex f : a.fibers()) {
+    for (const NodeIndex n : a.nodes(f)) {
+      const Vec3 apart = b.position[n] - a.position[n] - carried * shifts[f];
       const Vec3 images = (a.cell.lattice.inverse() * apart).array().round();
       largest = std::max(largest, (apart - a.cell.lattice * images).norm());
     }
@@ -52,7 +52,7 @@ TEST(ImageInvariance, ShiftingEverythingByAnyVectorChangesNothing) {
   for (const Vec3& shift : {Vec3(1.3e-4, -0.7e-4, 2.9e-4), Vec3(0, 7.77e-4, 0)}) {
     FiberState shifted = start;
     for (Vec3& x : shifted.position) x += shift;
-    const std::vector<Vec3> shifts(std::size_t(start.fiber_count()), shift);
+    const IndexedVector<FiberIndex, Vec3> shifts(start.fiber_count(), shift);
     EXPECT_LT(largest_difference(plain, run(shifted), shifts), tolerance);
   }
 }
@@ -60,11 +60,11 @@ TEST(ImageInvariance, ShiftingEverythingByAnyVectorChangesNothing) {
 TEST(ImageInvariance, ChoosingOtherImagesOfFibersChangesNothing) {
   const FiberState start = crowded_cell();
   FiberState other = start;
-  std::vector<Vec3> shifts;
-  for (Index f = 0; f < start.fiber_count(); ++f) {
+  IndexedVector<FiberIndex, Vec3> shifts;
+  for (const FiberIndex fiber : start.fibers()) {
+    const Index f = fiber.value();
     shifts.push_back(start.cell.shift(IntVec3(f % 3 - 1, f % 5 - 2, f % 2)));
-    for (Index k = start.begin_node(f); k < start.end_node(f); ++k)
-      other.position[std::size_t(k)] += shifts.back();
+    for (const NodeIndex node : start.nodes(fiber)) other.position[node] += shifts.back();
   }
   EXPECT_LT(largest_difference(run(start), run(other), shifts), tolerance);
 }
@@ -75,7 +75,7 @@ TEST(ImageInvariance, ChoosingAnotherBasisOfTheLatticeChangesNothing) {
   const FiberState start = crowded_cell();
   FiberState other = start;
   other.cell.lattice.col(1) += other.cell.lattice.col(0);
-  const std::vector<Vec3> shifts(std::size_t(start.fiber_count()), Vec3::Zero());
+  const IndexedVector<FiberIndex, Vec3> shifts(start.fiber_count(), Vec3::Zero());
   EXPECT_LT(largest_difference(run(start), run(other), shifts), tolerance);
 }
 

@@ -21,21 +21,16 @@ double largest_overlap(const FiberState& state, int images) {
     for (image[1] = -images; image[1] <= images; ++image[1])
       for (image[2] = -images; image[2] <= images; ++image[2]) {
         const Vec3 shift = state.cell.shift(image);
-        for (Index f = 0; f < state.fiber_count(); ++f)
-          for (Index g = 0; g <= f; ++g)
-            for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k)
-              for (Index m = state.begin_node(g); m + 1 < state.end_node(g); ++m) {
-                if (f == g && image.isZero() && std::abs(k - m) <= 1) continue;
-                const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>(m);
+        for (const FiberIndex f : state.fibers())
+          for (FiberIndex g; g <= f; ++g)
+            for (const RodIndex i : state.rods(f))
+              for (const RodIndex j : state.rods(g)) {
+                if (f == g && image.isZero() && std::abs(i - j) <= 1) continue;
                 const double reach = 0.5 * (state.rod_length[i] + state.rod_length[j]) + 2e-5;
-                const Vec3 apart = 0.5 * (state.position[i] + state.position[i + 1] - state.position[j] -
-                                          state.position[j + 1]) -
-                                   shift;
+                const Vec3 apart = state.centre(i) - state.centre(j) - shift;
                 if (apart.squaredNorm() > reach * reach) continue;
                 const double distance =
-                    closest_points({state.position[i], state.position[i + 1]},
-                                   {state.position[j] + shift, state.position[j + 1] + shift})
-                        .distance;
+                    closest_points(state.segment(i), shifted(state.segment(j), shift)).distance;
                 const double touching = state.material(f).radius + state.material(g).radius;
                 largest = std::max(largest, 1 - distance / touching);
               }
@@ -108,10 +103,10 @@ TEST(PackingReport, CountsRandomFibersAsTheTheoryDoes) {
 TEST(PackingReport, DoesNotDependOnTheChoiceOfImages) {
   const PackingResult result = pack(request_of(30, 0.6e-3, 6, 0.4e-3));
   FiberState moved = result.state;
-  for (Index f = 0; f < moved.fiber_count(); ++f) {
+  for (const FiberIndex fiber : moved.fibers()) {
+    const Index f = fiber.value();
     const Vec3 shift = moved.cell.shift(IntVec3(f % 3 - 1, f % 2, -(f % 5))) + Vec3(1e-4, -2e-4, 3e-5);
-    for (Index k = moved.begin_node(f); k < moved.end_node(f); ++k)
-      moved.position[static_cast<std::size_t>(k)] += shift;
+    for (const NodeIndex node : moved.nodes(fiber)) moved.position[node] += shift;
   }
   const PackingReport again = measure_packing(moved, result.report.orientation_asked);
   EXPECT_NEAR(again.largest_overlap, result.report.largest_overlap, 1e-9);

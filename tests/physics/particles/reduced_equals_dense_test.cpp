@@ -82,8 +82,8 @@ Problem random_problem(RandomSource& random, int rods) {
 RodLoads loads_of(const Problem& problem) {
   RodLoads loads;
   std::vector<RodLoads::Claim> claims;
-  std::vector<Index> slots;
-  for (const auto& [rod, load] : problem.loads) claims.push_back({rod, claims.size()});
+  std::vector<RodLoads::Slot> slots;
+  for (const auto& [rod, load] : problem.loads) claims.push_back({RodIndex(rod), claims.size()});
   loads.arrange(problem.state.node_count(), claims, slots);
   for (std::size_t i = 0; i < slots.size(); ++i) loads.slot(slots[i]) = problem.loads[i].second;
   return loads;
@@ -137,7 +137,7 @@ DenseFiber dense_fiber(const Problem& problem, const std::string& law) {
   const FiberMaterial& material = problem.state.materials[0];
   DenseFiber fiber{problem.state.position, material.radius, material.bending_stiffness()};
   if (law == "beads") return fiber;  // the sums over the beads themselves
-  const double whole = fiber_length(problem.state, 0);
+  const double whole = fiber_length(problem.state, FiberIndex(0));
   for (int i = 0; i < fiber.rods(); ++i) {
     const RodDrag drag =
         drag_law_named(law).drag(problem.flow.viscosity, {fiber.axis(i).norm(), fiber.radius, whole});
@@ -146,10 +146,9 @@ DenseFiber dense_fiber(const Problem& problem, const std::string& law) {
   return fiber;
 }
 
-std::vector<Vec3> reduced_velocities(const Problem& problem, const std::string& law) {
-  const auto nodes = static_cast<std::size_t>(problem.state.node_count());
-  std::vector<Vec3> relative(nodes);
-  std::vector<double> tension(nodes);
+IndexedVector<NodeIndex, Vec3> reduced_velocities(const Problem& problem, const std::string& law) {
+  IndexedVector<NodeIndex, Vec3> relative(problem.state.position.size());
+  IndexedVector<RodIndex, double> tension(problem.state.position.size());
   const RodLoads loads = loads_of(problem);
   ChainSolver solver;
   solver.arrange(problem.state, {.drag = law});
@@ -165,8 +164,8 @@ double relative_difference(const Problem& problem, const std::string& law) {
   const auto reduced = reduced_velocities(problem, law);
   double difference = 0;
   double size = 0;
-  for (std::size_t k = 0; k < reduced.size(); ++k) {
-    const Vec3 relative = dense.node_velocity[k] - problem.flow.gradient * fiber.nodes[k];
+  for (const NodeIndex k : problem.state.nodes()) {
+    const Vec3 relative = dense.node_velocity[k.value()] - problem.flow.gradient * problem.state.position[k];
     difference = std::max(difference, (relative - reduced[k]).norm());
     size = std::max(size, relative.norm());
   }
@@ -206,9 +205,9 @@ TEST(ReducedEqualsDense, WhenFibersShareLanes) {
   for (int i = 0; i < 20; ++i)
     append_fiber(all.state, {.nodes = bent_chain(random, random.integer(1, 12)), .material_id = 0});
   const auto together = reduced_velocities(all, "beads");
-  for (Index f = 0; f < all.state.fiber_count(); ++f) {
-    const auto first = all.state.position.begin();
-    const DenseFiber fiber{{first + all.state.begin_node(f), first + all.state.end_node(f)},
+  for (const FiberIndex f : all.state.fibers()) {
+    const auto nodes = all.state.positions(f);
+    const DenseFiber fiber{{nodes.begin(), nodes.end()},
                            all.state.materials[0].radius,
                            all.state.materials[0].bending_stiffness()};
     DenseLoads loads;
@@ -217,10 +216,9 @@ TEST(ReducedEqualsDense, WhenFibersShareLanes) {
     const auto dense = reference::solve_dense(fiber, all.flow, loads);
     double size = 0;
     for (const Vec3& v : dense.node_velocity) size = std::max(size, v.norm());
-    for (Index k = all.state.begin_node(f); k < all.state.end_node(f); ++k) {
-      const auto n = std::size_t(k);
-      const Vec3 relative = dense.node_velocity[std::size_t(k - all.state.begin_node(f))] -
-                            all.flow.gradient * all.state.position[n];
+    for (const NodeIndex n : all.state.nodes(f)) {
+      const Vec3 relative =
+          dense.node_velocity[n - all.state.begin_node(f)] - all.flow.gradient * all.state.position[n];
       EXPECT_LT((relative - together[n]).norm(), tolerance * size);
     }
   }

@@ -66,11 +66,12 @@ struct Scatter {
 
 /// Tells whether a straight fiber comes nearer than `clearance` to one in the state or to its own image.
 inline bool touches(const FiberState& state, const Segment& fiber, double clearance) {
-  for (Index other = 0; other <= state.fiber_count(); ++other) {
-    const bool itself = other == state.fiber_count();
-    const Segment target = itself ? fiber
-                                  : Segment{state.position[std::size_t(state.begin_node(other))],
-                                            state.position[std::size_t(state.end_node(other)) - 1]};
+  for (Index number = 0; number <= state.fiber_count(); ++number) {
+    const bool itself = number == state.fiber_count();
+    const FiberIndex other(number);
+    const Segment target =
+        itself ? fiber
+               : Segment{state.position[state.begin_node(other)], state.position[state.last_node(other)]};
     const double edge = state.cell.lattice(0, 0);
     const int images = int(std::ceil((fiber.end - fiber.begin).norm() / edge)) + 1;
     for (int i = -images; i <= images; ++i) {
@@ -138,9 +139,8 @@ inline void run_until(Simulation& simulation, double time) {
   while (simulation.state().time < time) simulation.advance(time);
 }
 
-inline Vec3 end_to_end(const FiberState& state, Index fiber = 0) {
-  return state.position[std::size_t(state.end_node(fiber)) - 1] -
-         state.position[std::size_t(state.begin_node(fiber))];
+inline Vec3 end_to_end(const FiberState& state, FiberIndex fiber = {}) {
+  return state.position[state.last_node(fiber)] - state.position[state.begin_node(fiber)];
 }
 
 }  // namespace fiberfate::scenes

@@ -21,16 +21,16 @@ double theory_along(double aspect_ratio) {
 }
 
 /// Velocities of the nodes of a fiber in melt at rest, pulled with the same force on every length, N/m.
-std::vector<Vec3> velocities_under(const FiberState& state, const Vec3& force_per_length) {
+IndexedVector<NodeIndex, Vec3> velocities_under(const FiberState& state, const Vec3& force_per_length) {
   std::vector<RodLoads::Claim> claims;
-  for (Index rod = 0; rod + 1 < state.node_count(); ++rod) claims.push_back({rod, 0});
+  for (const RodIndex rod : state.rods(FiberIndex(0))) claims.push_back({rod, 0});
   RodLoads loads;
-  std::vector<Index> slots;
+  std::vector<RodLoads::Slot> slots;
   loads.arrange(state.node_count(), claims, slots);
-  for (std::size_t rod = 0; rod < claims.size(); ++rod)
-    loads.slot(slots[rod]) = {0.5, state.rod_length[rod] * force_per_length, {}};
-  std::vector<Vec3> velocity(state.position.size());
-  std::vector<double> tension(state.position.size());
+  for (std::size_t i = 0; i < claims.size(); ++i)
+    loads.slot(slots[i]) = {0.5, state.rod_length[claims[i].rod] * force_per_length, {}};
+  IndexedVector<NodeIndex, Vec3> velocity(state.position.size());
+  IndexedVector<RodIndex, double> tension(state.position.size());
   ChainSolver solver;
   solver.arrange(state, {.drag = "slender_body"});
   solver.solve({state, state.position, loads, simple_shear(0, scenes::melt_viscosity), 0},
@@ -81,15 +81,15 @@ TEST(SlenderBodyDrag, TumblesAsOneFiberHoweverItIsCut) {
 // A piece has its own length, no longer that of the fiber that it came from: its rods resist more.
 TEST(SlenderBodyDrag, OfAPieceIsThatOfItsOwnLength) {
   FiberState state = scenes::lone_fiber(scenes::nodes_of({.length = 2 * stiff.radius * 120, .rods = 12}));
-  const double length = state.rod_length[0];
-  EXPECT_NEAR(unit_drag_of_rods(state, "slender_body")[0].perpendicular, theory_across(120) * length,
-              1e-9 * length);
-  const std::vector<Index> nodes = {3};
+  const double length = state.rod_length[RodIndex(0)];
+  EXPECT_NEAR(unit_drag_of_rods(state, "slender_body")[RodIndex(0)].perpendicular,
+              theory_across(120) * length, 1e-9 * length);
+  const std::vector<NodeIndex> nodes = {NodeIndex(3)};
   split_fibers(state, nodes);
   const auto drag = unit_drag_of_rods(state, "slender_body");
-  EXPECT_NEAR(drag[0].perpendicular, theory_across(30) * length, 1e-9 * length);
-  EXPECT_NEAR(drag[0].parallel, theory_along(30) * length, 1e-9 * length);
-  EXPECT_NEAR(drag[4].perpendicular, theory_across(90) * length, 1e-9 * length);
+  EXPECT_NEAR(drag[RodIndex(0)].perpendicular, theory_across(30) * length, 1e-9 * length);
+  EXPECT_NEAR(drag[RodIndex(0)].parallel, theory_along(30) * length, 1e-9 * length);
+  EXPECT_NEAR(drag[RodIndex(4)].perpendicular, theory_across(90) * length, 1e-9 * length);
 }
 
 }  // namespace

@@ -245,8 +245,8 @@ TEST(Sample, ASingleFiberLiesInTheMiddleOfItsCell) {
   const FiberState state = single_fiber(shear_cell(loaded).sample);
   EXPECT_EQ(state.fiber_count(), 1);
   EXPECT_EQ(state.rod_count(), 25);
-  EXPECT_NEAR(fiber_length(state, 0), 0.5e-3, 1e-15);
-  EXPECT_LT((fiber_centroid(state, 0) - Vec3::Constant(1e-3)).norm(), 1e-15);
+  EXPECT_NEAR(fiber_length(state, FiberIndex(0)), 0.5e-3, 1e-15);
+  EXPECT_LT((fiber_centroid(state, FiberIndex(0)) - Vec3::Constant(1e-3)).norm(), 1e-15);
   const Vec3 along = (state.position.back() - state.position.front()).normalized();
   EXPECT_LT((along - Vec3(0, 1, 1).normalized()).norm(), 1e-12);
 }

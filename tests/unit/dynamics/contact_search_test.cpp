@@ -35,7 +35,7 @@ FiberState crowded_cell() {
     }
     append_fiber(state, {nodes, std::uint16_t(f % 2)});
   }
-  const std::array<Index, 3> broken = {4, 13, 40};
+  const std::array<NodeIndex, 3> broken = {NodeIndex(4), NodeIndex(13), NodeIndex(40)};
   split_fibers(state, broken);
   return state;
 }
@@ -48,7 +48,7 @@ struct Found {
 
 std::map<Key, Found> search(const FiberState& state) {
   NeighbourList list;
-  list.build(state, range, std::vector<double>(std::size_t(state.node_count()), 1e-5));
+  list.build(state, range, IndexedVector<RodIndex, double>(state.rod_length.size(), 1e-5));
   EXPECT_TRUE(list.look_ahead(state, Flow{}, 0));
   ContactSearch fast;
   fast.find(state, list, range);
@@ -57,8 +57,8 @@ std::map<Key, Found> search(const FiberState& state) {
     for (int i = 0; i < chunk.count; ++i) {
       const Contact one = chunk.at(i);
       const IntVec3 image = unpack_image(one.image);
-      const Key key = {one.first, one.second, image[0], image[1], image[2]};
-      EXPECT_EQ(found.count(key), 0u) << "twice: rods " << one.first << " and " << one.second;
+      const Key key = {one.first.value(), one.second.value(), image[0], image[1], image[2]};
+      EXPECT_EQ(found.count(key), 0u) << "twice: rods " << key[0] << " and " << key[1];
       found[key] = {one.s, one.t, one.distance, one.normal, {one.first_material, one.second_material}};
     }
   }
@@ -69,8 +69,8 @@ std::map<Key, Found> search(const FiberState& state) {
 class AllPairs {
  public:
   explicit AllPairs(const FiberState& state) : state_(state) {
-    for (Index f = 0; f < state.fiber_count(); ++f) {
-      for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k) rods_.push_back({k, f});
+    for (const FiberIndex f : state.fibers()) {
+      for (const RodIndex k : state.rods(f)) rods_.push_back({k, f});
     }
   }
 
@@ -87,51 +87,52 @@ class AllPairs {
 
  private:
   struct Rod {
-    Index node, fiber;
+    RodIndex index;
+    FiberIndex fiber;
   };
 
   void look_at(const Rod& first, const Rod& second, const IntVec3& image) {
     const bool is_itself = image.isZero();
-    if (second.node < first.node) return;
-    if (second.node == first.node && !(image[0] > 0 || (image[0] == 0 && image[1] > 0) ||
-                                       (image[0] == 0 && image[1] == 0 && image[2] > 0)))
+    if (second.index < first.index) return;
+    if (second.index == first.index && !(image[0] > 0 || (image[0] == 0 && image[1] > 0) ||
+                                         (image[0] == 0 && image[1] == 0 && image[2] > 0)))
       return;
     const Vec3 shift = state_.cell.shift(image);
-    if ((at(first.node) - at(second.node) - shift).norm() > 2e-4) return;
+    if ((begin_of(first) - begin_of(second) - shift).norm() > 2e-4) return;
     if (is_itself && is_own_neighbour(first, second)) return;
-    const bool broke_off = is_itself && second.fiber == first.fiber + 1 && second.node == first.node + 2 &&
-                           state_.touches_previous[std::size_t(second.fiber)] != 0;
+    const bool broke_off = is_itself && second.fiber == first.fiber + 1 && second.index == first.index + 2 &&
+                           state_.touches_previous[second.fiber] != 0;
     if (broke_off) return;
-    const ClosestPoints near = closest_points({at(first.node), at(first.node + 1)},
-                                              {at(second.node) + shift, at(second.node + 1) + shift});
+    const ClosestPoints near =
+        closest_points(state_.segment(first.index), shifted(state_.segment(second.index), shift));
     if (near.distance >= range) return;
     if (belongs_to_neighbour(first, near.s, -near.separation) ||
         belongs_to_neighbour(second, near.t, near.separation)) {
       ++left_to_neighbours;
       return;
     }
-    found_[{first.node, second.node, image[0], image[1], image[2]}] = {
+    found_[{first.index.value(), second.index.value(), image[0], image[1], image[2]}] = {
         near.s,
         near.t,
         near.distance,
         near.separation / near.distance,
-        {state_.material_id[std::size_t(first.fiber)], state_.material_id[std::size_t(second.fiber)]}};
+        {state_.material_id[first.fiber], state_.material_id[second.fiber]}};
   }
 
   [[nodiscard]] bool is_own_neighbour(const Rod& first, const Rod& second) const {
     if (first.fiber != second.fiber) return false;
     double between = 0;
-    for (Index k = first.node + 1; k < second.node; ++k) between += state_.rod_length[std::size_t(k)];
+    for (RodIndex k = first.index + 1; k < second.index; ++k) between += state_.rod_length[k];
     return between < range;
   }
 
   [[nodiscard]] bool belongs_to_neighbour(const Rod& rod, double place, const Vec3& other) const {
-    if (place <= 0) return rod.node != state_.begin_node(rod.fiber);
-    if (place < 1 || rod.node + 2 == state_.end_node(rod.fiber)) return false;
-    return (at(rod.node + 2) - at(rod.node + 1)).dot(other) > 0;
+    if (place <= 0) return first_end(rod.index) != state_.begin_node(rod.fiber);
+    if (place < 1 || second_end(rod.index) == state_.last_node(rod.fiber)) return false;
+    return state_.axis(rod.index + 1).dot(other) > 0;
   }
 
-  [[nodiscard]] const Vec3& at(Index node) const { return state_.position[std::size_t(node)]; }
+  [[nodiscard]] const Vec3& begin_of(const Rod& rod) const { return state_.position[first_end(rod.index)]; }
 
   const FiberState& state_;
   std::vector<Rod> rods_;
@@ -190,12 +191,10 @@ TEST(ContactSearch, TellsFarImagesApart) {
   const FiberState state = fiber_of_many_cells();
   int farthest = 0;
   for (const auto& [key, found] : search(state)) {
-    const auto first = std::size_t(key[0]), second = std::size_t(key[1]);
+    const RodIndex first(key[0]), second(key[1]);
     const IntVec3 image(key[2], key[3], key[4]);
     const Vec3 shift = state.cell.shift(image);
-    const ClosestPoints exact =
-        closest_points({state.position[first], state.position[first + 1]},
-                       {state.position[second] + shift, state.position[second + 1] + shift});
+    const ClosestPoints exact = closest_points(state.segment(first), shifted(state.segment(second), shift));
     EXPECT_NEAR(found.distance, exact.distance, 1e-12);
     EXPECT_LT(exact.distance, range);
     farthest = std::max(farthest, image.cwiseAbs().maxCoeff());

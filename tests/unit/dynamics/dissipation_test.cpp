@@ -112,8 +112,10 @@ double power_of_a_cut_fiber(const char* law, int rods) {
   for (int k = 0; k <= rods; ++k) nodes.push_back((double(k) / rods - 0.5) * 4e-4 * p);
   append_fiber(state, {.nodes = nodes, .material_id = 0});
   const Vec3 turning(0.3, -1.1, 0.2);
-  for (std::size_t k = 0; k < nodes.size(); ++k)
-    state.relative_velocity[k] = Vec3(1e-5, 2e-5, 0) + turning.cross(nodes[k]) - flow.gradient * nodes[k];
+  for (const NodeIndex k : state.nodes()) {
+    const Vec3& x = state.position[k];
+    state.relative_velocity[k] = Vec3(1e-5, 2e-5, 0) + turning.cross(x) - flow.gradient * x;
+  }
   return drag_dissipation(state, flow, law);
 }
 

@@ -44,22 +44,20 @@ Vec3 waves(int i) {
 /// Three fibers of three, two and one rods whose lengths are near 1, and forces between their rods.
 struct Scene {
   FiberState state = empty_state();
-  std::vector<Vec3> velocity;
+  IndexedVector<NodeIndex, Vec3> velocity;
   PairForces pairs;
-  std::vector<std::array<Index, 2>> rods_of_force;  // first and second
+  std::vector<std::array<RodIndex, 2>> rods_of_force;  // first and second
   ChainGroup group;
   AlignedArray rods;
 
   Scene() {
     for (const int count : {3, 2, 1}) append_straight(state, Vec3::Zero(), Vec3::UnitX(), count);
-    for (int n = 0; n < state.node_count(); ++n) {
-      state.position[std::size_t(n)] += 0.1 * waves(n);
-      velocity.push_back(waves(n + 20));
+    for (const NodeIndex n : state.nodes()) {
+      state.position[n] += 0.1 * waves(n.value());
+      velocity.push_back(waves(n.value() + 20));
     }
-    for (Index f = 0; f < 3; ++f) {
-      for (Index k = state.begin_node(f); k + 1 < state.end_node(f); ++k)
-        state.rod_length[std::size_t(k)] =
-            (state.position[std::size_t(k) + 1] - state.position[std::size_t(k)]).norm();
+    for (const FiberIndex f : state.fibers()) {
+      for (const RodIndex rod : state.rods(f)) state.rod_length[rod] = state.axis(rod).norm();
     }
     add_forces();
     make_group();
@@ -72,8 +70,8 @@ struct Scene {
     for (int i = 0; i < 6; ++i) {
       ContactChunk& chunk = contacts[std::size_t(i % 2)];
       Contact contact;
-      contact.first = between[i][0];
-      contact.second = between[i][1];
+      contact.first = RodIndex(between[i][0]);
+      contact.second = RodIndex(between[i][1]);
       contact.image = i == 4 ? pack_image({1, 0, 0}) : 0;
       reference::append_contact(chunk, contact);
     }
@@ -100,13 +98,13 @@ struct Scene {
     group.nodes = 4;
     rods.reserve(std::size_t{4} * RodNumber::rod_numbers * System::lanes);
     for (int lane = 0; lane < System::lanes; ++lane) {
-      const Index fiber = lane < 3 ? lane : 0;
-      group.fiber[lane] = lane < 3 ? fiber : -1;
-      group.first[lane] = state.begin_node(fiber);
+      const FiberIndex fiber(lane < 3 ? lane : 0);
+      group.fiber[lane] = lane < 3 ? fiber.value() : -1;
+      group.first[lane] = state.begin_node(fiber).value();
       group.rods[lane] = state.rod_count(fiber);
       group.used[lane] = lane < 3 ? group.rods[lane] : 0;
       for (int k = 0; k < group.nodes; ++k) {
-        const auto rod = std::size_t(group.first[lane] + std::min(k, group.rods[lane] - 1));
+        const RodIndex rod(group.first[lane] + std::min(k, group.rods[lane] - 1));
         rods.data()[offset_of(RodNumber::length, k) + lane] = state.rod_length[rod];
       }
     }
@@ -118,7 +116,7 @@ struct Scene {
     std::fill_n(system.record(0), group.nodes * System::size * System::lanes, 0.0);
     PairSlots slots;
     slots.collect(pairs, group);
-    kernel({system.record(0), state.position[0].data(), velocity[0].data(), rods.data(),
+    kernel({system.record(0), state.position.front().data(), velocity.front().data(), rods.data(),
             pairs.forces().data(), slots.numbers(), slots.ends(), slots.rod_count()},
            group);
   }
@@ -132,13 +130,13 @@ struct Definition {
 };
 
 /// Adds the share that the first (side 0) or the second rod (side 1) has of a force.
-void add_share(const Scene& scene, std::size_t number, std::size_t side, Index begin, Definition& sum) {
+void add_share(const Scene& scene, std::size_t number, std::size_t side, RodIndex begin, Definition& sum) {
   const PairForce& force = scene.pairs.forces()[number];
-  const auto rod = std::size_t(scene.rods_of_force[number][side]);
+  const RodIndex rod = scene.rods_of_force[number][side];
   const double place = side == 0 ? force.s : force.t;
   const double sign = side == 0 ? 1 : -1;
   const double length = scene.state.rod_length[rod];
-  const Vec3 p = (scene.state.position[rod + 1] - scene.state.position[rod]) / length;
+  const Vec3 p = scene.state.axis(rod) / length;
   const Vec3 n(force.normal[0], force.normal[1], force.normal[2]);
   const Mat3 turn = sign * force.distance / (2 * length) * (p * n.transpose() - n.dot(p) * Mat3::Identity());
   Eigen::Matrix<double, 3, 6> skin;
@@ -146,21 +144,20 @@ void add_share(const Scene& scene, std::size_t number, std::size_t side, Index b
   const Mat3 resistance =
       force.along * n * n.transpose() + force.across * (Mat3::Identity() - n * n.transpose());
   Eigen::Matrix<double, 6, 1> old;
-  old << scene.velocity[rod], scene.velocity[rod + 1];
+  old << scene.velocity[first_end(rod)], scene.velocity[second_end(rod)];
   const Vec3 at_rest = sign * Vec3(force.force[0], force.force[1], force.force[2]) + resistance * skin * old;
-  const auto at = 3 * (Index(rod) - begin);
+  const auto at = 3 * (rod - begin);
   sum.matrix.block<6, 6>(at, at) += skin.transpose() * resistance * skin;
   sum.load.segment<6>(at) += skin.transpose() * at_rest;
 }
 
-Definition definition(const Scene& scene, Index fiber) {
+Definition definition(const Scene& scene, FiberIndex fiber) {
   const auto size = 3 * (scene.state.rod_count(fiber) + 1);
   Definition sum{Eigen::MatrixXd::Zero(size, size), Eigen::VectorXd::Zero(size)};
-  const Index begin = scene.state.begin_node(fiber);
-  const Index end = scene.state.end_node(fiber);
+  const RodIndex begin = scene.state.rods(fiber).front(), end = begin + scene.state.rod_count(fiber);
   for (std::size_t number = 0; number < scene.rods_of_force.size(); ++number) {
     for (const std::size_t side : {0, 1}) {
-      const Index rod = scene.rods_of_force[number][side];
+      const RodIndex rod = scene.rods_of_force[number][side];
       if (rod >= begin && rod < end) add_share(scene, number, side, begin, sum);
     }
   }
@@ -189,12 +186,13 @@ TEST(PairLoads, AreTheirDefinitionOnEveryInstructionSet) {
   for (const Kernel kernel : kernels()) {
     System system;
     scene.run(kernel, system);
-    for (Index fiber = 0; fiber < 3; ++fiber) {
+    for (const FiberIndex fiber : scene.state.fibers()) {
+      const int lane = fiber.value();
       const Definition expected = definition(scene, fiber);
-      const Definition found = in_lane(system, fiber, scene.state.rod_count(fiber) + 1);
-      EXPECT_GT(expected.matrix.norm(), 1) << fiber;
-      EXPECT_LT((found.matrix - expected.matrix).norm(), 1e-14 * expected.matrix.norm()) << fiber;
-      EXPECT_LT((found.load - expected.load).norm(), 1e-14 * expected.load.norm()) << fiber;
+      const Definition found = in_lane(system, lane, scene.state.rod_count(fiber) + 1);
+      EXPECT_GT(expected.matrix.norm(), 1) << lane;
+      EXPECT_LT((found.matrix - expected.matrix).norm(), 1e-14 * expected.matrix.norm()) << lane;
+      EXPECT_LT((found.load - expected.load).norm(), 1e-14 * expected.load.norm()) << lane;
     }
     EXPECT_EQ(in_lane(system, 3, 4).matrix.norm(), 0) << "an unused lane got something";
   }
@@ -203,7 +201,7 @@ TEST(PairLoads, AreTheirDefinitionOnEveryInstructionSet) {
 TEST(PairForces, DealEveryRodItsSharesOrderedByWhoExertsThem) {
   const Scene scene;
   std::size_t shares = 0;
-  for (Index rod = 0; rod < scene.state.node_count(); ++rod) {
+  for (const RodIndex rod : scene.state.rod_length.indices()) {
     std::int64_t before = -1;
     for (const PairForces::Share& share : scene.pairs.of_rod(rod)) {
       EXPECT_EQ(scene.rods_of_force[std::size_t(share.number / 2)][std::size_t(share.number % 2)], rod);
@@ -213,7 +211,7 @@ TEST(PairForces, DealEveryRodItsSharesOrderedByWhoExertsThem) {
     }
   }
   EXPECT_EQ(shares, 2 * scene.pairs.forces().size());
-  EXPECT_EQ(scene.pairs.of_rod(1).size(), 5u);
+  EXPECT_EQ(scene.pairs.of_rod(RodIndex(1)).size(), 5u);
 }
 
 }  // namespace

@@ -8,22 +8,23 @@
 namespace fiberfate {
 namespace {
 
-std::vector<double> levers_of(const RodLoads& loads, Index rod) {
+std::vector<double> levers_of(const RodLoads& loads, int rod) {
   std::vector<double> levers;
-  for (const RodLoad& load : loads.of_rod(rod)) levers.push_back(load.lever);
+  for (const RodLoad& load : loads.of_rod(RodIndex(rod))) levers.push_back(load.lever);
   return levers;
 }
 
 RodLoads arrange(const std::vector<RodLoads::Claim>& claims) {
   RodLoads loads;
-  std::vector<Index> slots;
+  std::vector<RodLoads::Slot> slots;
   loads.arrange(5, claims, slots);
   for (std::size_t i = 0; i < claims.size(); ++i) loads.slot(slots[i]).lever = 0.01 * double(claims[i].key);
   return loads;
 }
 
 TEST(RodLoads, AreGroupedByRodAndOrderedByKey) {
-  std::vector<RodLoads::Claim> claims = {{3, 9}, {0, 5}, {3, 2}, {3, 7}, {1, 1}, {0, 3}};
+  std::vector<RodLoads::Claim> claims = {{RodIndex(3), 9}, {RodIndex(0), 5}, {RodIndex(3), 2},
+                                         {RodIndex(3), 7}, {RodIndex(1), 1}, {RodIndex(0), 3}};
   for (int order = 0; order < 6; ++order) {
     std::rotate(claims.begin(), claims.begin() + 1, claims.end());
     const RodLoads loads = arrange(claims);
@@ -36,8 +37,8 @@ TEST(RodLoads, AreGroupedByRodAndOrderedByKey) {
 }
 
 TEST(RodLoads, AreNoneToBeginWith) {
-  const RodLoads loads(3);
-  for (const Index rod : {0, 1, 2}) EXPECT_TRUE(loads.of_rod(rod).empty());
+  const RodLoads loads;
+  for (const int rod : {0, 1, 2}) EXPECT_TRUE(loads.of_rod(RodIndex(rod)).empty());
 }
 
 }  // namespace

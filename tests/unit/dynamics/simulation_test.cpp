@@ -53,16 +53,16 @@ using Harm = std::function<void(FiberState&)>;
 
 TEST(Simulation, RefusesFibersThatCannotBeStepped) {
   const Harm harms[] = {
-      [](FiberState& s) { s.position[1].x() = infinite; },
-      [](FiberState& s) { s.position[2].z() = nan; },
-      [](FiberState& s) { s.relative_velocity[0].y() = nan; },
-      [](FiberState& s) { s.rod_length[1] = 0; },
-      [](FiberState& s) { s.rod_length[0] = infinite; },
+      [](FiberState& s) { s.position[NodeIndex(1)].x() = infinite; },
+      [](FiberState& s) { s.position[NodeIndex(2)].z() = nan; },
+      [](FiberState& s) { s.relative_velocity[NodeIndex(0)].y() = nan; },
+      [](FiberState& s) { s.rod_length[RodIndex(1)] = 0; },
+      [](FiberState& s) { s.rod_length[RodIndex(0)] = infinite; },
       [](FiberState& s) { s.cell.lattice(1, 1) = nan; },
       [](FiberState& s) { s.cell.lattice.col(2).setZero(); },
       [](FiberState& s) { s.materials[0].radius = 0; },
       [](FiberState& s) { s.materials[0].youngs_modulus = infinite; },
-      [](FiberState& s) { s.material_id[0] = 1; },
+      [](FiberState& s) { s.material_id[FiberIndex(0)] = 1; },
       [](FiberState& s) { s.cell = rectangular_cell(Vec3(1e-3, 1e-3, 1e-6)); },  // 721 times as long
   };
   for (const Harm& harm : harms) {

@@ -36,11 +36,11 @@ TEST(FiberState, NumbersNodesAndRods) {
   EXPECT_EQ(state.fiber_count(), 2);
   EXPECT_EQ(state.node_count(), 7);
   EXPECT_EQ(state.rod_count(), 5);
-  EXPECT_EQ(state.rod_count(1), 2);
-  EXPECT_EQ(state.birth_id[1], 1U);
-  EXPECT_EQ(state.rod_length[3], 0.0) << "the last node owns no rod";
-  EXPECT_NEAR(fiber_length(state, 0), 3e-4, 1e-18);
-  EXPECT_TRUE(fiber_centroid(state, 0).isApprox(Vec3(1.5e-4, 0, 0), 1e-14));
+  EXPECT_EQ(state.rod_count(FiberIndex(1)), 2);
+  EXPECT_EQ(state.birth_id[FiberIndex(1)], 1U);
+  EXPECT_EQ(state.rod_length[RodIndex(3)], 0.0) << "the last node owns no rod";
+  EXPECT_NEAR(fiber_length(state, FiberIndex(0)), 3e-4, 1e-18);
+  EXPECT_TRUE(fiber_centroid(state, FiberIndex(0)).isApprox(Vec3(1.5e-4, 0, 0), 1e-14));
 }
 
 TEST(NumberByHeight, KeepsFibersAndSortsThemAcrossTheShear) {
@@ -52,11 +52,11 @@ TEST(NumberByHeight, KeepsFibersAndSortsThemAcrossTheShear) {
   append_fiber(state, {carbon, 1});
   number_by_height(state);
   ASSERT_EQ(state.fiber_count(), 3);
-  EXPECT_EQ(state.position[0], Vec3(0, -7e-4, 0));
-  EXPECT_EQ(state.rod_count(0), 2);
-  EXPECT_EQ(state.position[std::size_t(state.begin_node(1))], carbon[0]);
-  EXPECT_EQ(state.material(1).radius, 3e-6);
-  EXPECT_EQ(state.rod_count(2), 3);
+  EXPECT_EQ(state.position[NodeIndex(0)], Vec3(0, -7e-4, 0));
+  EXPECT_EQ(state.rod_count(FiberIndex(0)), 2);
+  EXPECT_EQ(state.position[state.begin_node(FiberIndex(1))], carbon[0]);
+  EXPECT_EQ(state.material(FiberIndex(1)).radius, 3e-6);
+  EXPECT_EQ(state.rod_count(FiberIndex(2)), 3);
   EXPECT_EQ(state.birth_id, (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
@@ -78,8 +78,8 @@ TEST(SplitFibers, ConservesRodsLengthVelocitiesAndOrigin) {
   FiberState state = empty_state();
   append_straight(state, Vec3::Zero(), Vec3(1e-4, 0, 0), 5);
   append_straight(state, Vec3(0, 5e-4, 0), Vec3(0, 1e-4, 0), 2);
-  for (std::size_t k = 0; k < 9; ++k) state.relative_velocity[k] = Vec3(static_cast<double>(k), 0, 0);
-  const std::array<Index, 2> nodes = {2, 3};
+  for (const NodeIndex k : state.nodes()) state.relative_velocity[k] = Vec3(k.value(), 0, 0);
+  const std::array<NodeIndex, 2> nodes = {NodeIndex(2), NodeIndex(3)};
   split_fibers(state, nodes);
   EXPECT_EQ(state.fiber_count(), 4);
   EXPECT_EQ(state.rod_count(), 7);
@@ -87,21 +87,23 @@ TEST(SplitFibers, ConservesRodsLengthVelocitiesAndOrigin) {
   EXPECT_EQ(state.birth_id, (std::vector<std::uint32_t>{0, 0, 0, 1}));
   EXPECT_EQ(state.birth_node, (std::vector<std::uint32_t>{0, 2, 3, 0}));
   EXPECT_EQ(state.touches_previous, (std::vector<std::uint8_t>{0, 1, 1, 0}));
-  EXPECT_EQ(state.first_node, (std::vector<Index>{0, 3, 5, 8, 11}));
+  const std::span<const Index> first_node = numbers(state.first_node);
+  EXPECT_EQ(std::vector<Index>(first_node.begin(), first_node.end()), (std::vector<Index>{0, 3, 5, 8, 11}));
   double length = 0;
-  for (Index fiber = 0; fiber < 4; ++fiber) length += fiber_length(state, fiber);
+  for (const FiberIndex fiber : state.fibers()) length += fiber_length(state, fiber);
   EXPECT_NEAR(length, 7e-4, 1e-18);
-  EXPECT_EQ(state.relative_velocity[2][0], 2.0);
-  EXPECT_EQ(state.relative_velocity[3][0], 2.0) << "the node of a break is doubled";
-  EXPECT_EQ(state.relative_velocity[10][0], 8.0);
+  EXPECT_EQ(state.relative_velocity[NodeIndex(2)][0], 2.0);
+  EXPECT_EQ(state.relative_velocity[NodeIndex(3)][0], 2.0) << "the node of a break is doubled";
+  EXPECT_EQ(state.relative_velocity[NodeIndex(10)][0], 8.0);
 }
 
 TEST(WrapFibers, MovesCentroidsIntoTheCellAndKeepsShapes) {
   FiberState state = empty_state();
   append_straight(state, Vec3(2.3e-3, -0.2e-3, 0.5e-3), Vec3(1e-4, 0, 0), 2);
   wrap_fibers(state);
-  EXPECT_TRUE(fiber_centroid(state, 0).isApprox(Vec3(0.4e-3, 0.8e-3, 0.5e-3), 1e-12));
-  EXPECT_TRUE((state.position[2] - state.position[0]).isApprox(Vec3(2e-4, 0, 0), 1e-12));
+  EXPECT_TRUE(fiber_centroid(state, FiberIndex(0)).isApprox(Vec3(0.4e-3, 0.8e-3, 0.5e-3), 1e-12));
+  EXPECT_TRUE(
+      (state.position[NodeIndex(2)] - state.position[NodeIndex(0)]).isApprox(Vec3(2e-4, 0, 0), 1e-12));
 }
 
 TEST(VolumeFraction, IsThatOfCylinders) {

@@ -11,22 +11,21 @@ namespace {
 TEST(ChainConstraints, ProjectedVectorsStretchNoRod) {
   for (const int rods : {1, 2, 25}) {
     Chains chains = random_chains(rectangular_cell(Vec3::Constant(50)), 1, rods, 5);
-    for (std::size_t k = 0; k < chains.force.size(); ++k) {
-      const auto u = uniform4(8, RandomStream::noise, {static_cast<std::uint32_t>(k), 0, 0});
+    for (const NodeIndex k : chains.nodes()) {
+      const auto u = uniform4(8, RandomStream::noise, {static_cast<std::uint32_t>(k.value()), 0, 0});
       chains.force[k] = {u[0] - 0.5, u[1] - 0.5, u[2] - 0.5};
     }
     Vec3 sum = Vec3::Zero();
     for (const Vec3& f : chains.force) sum += f;
     ChainConstraints constraints;
-    constraints.factorise(chains.position.data(), chains.position.size(), 5);
+    constraints.factorise(chains.position, 5);
     constraints.project(chains.force.data());
     Vec3 projected = Vec3::Zero();
     for (const Vec3& f : chains.force) projected += f;
     EXPECT_LT((sum - projected).norm(), 1e-13);  // tensions are internal
-    for (int k = 0; k < rods; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const Vec3 rod = chains.position[i + 1] - chains.position[i];
-      EXPECT_NEAR(rod.dot(chains.force[i + 1] - chains.force[i]), 0, 1e-13);
+    for (const RodIndex rod : chains.rods(FiberIndex(0))) {
+      const Vec3 stretch = chains.force[second_end(rod)] - chains.force[first_end(rod)];
+      EXPECT_NEAR(chains.axis(rod).dot(stretch), 0, 1e-13);
     }
   }
 }
@@ -34,17 +33,17 @@ TEST(ChainConstraints, ProjectedVectorsStretchNoRod) {
 TEST(ChainConstraints, RestoresLengthsAndKeepsTheCentre) {
   Chains chains = random_chains(rectangular_cell(Vec3::Constant(50)), 1, 25, 5);
   ChainConstraints constraints;
-  constraints.factorise(chains.position.data(), chains.position.size(), 5);
+  constraints.factorise(chains.position, 5);
   Vec3 centre = Vec3::Zero(), restored = Vec3::Zero();
-  for (std::size_t k = 0; k < chains.position.size(); ++k) {
-    const auto u = uniform4(9, RandomStream::noise, {static_cast<std::uint32_t>(k), 0, 0});
+  for (const NodeIndex k : chains.nodes()) {
+    const auto u = uniform4(9, RandomStream::noise, {static_cast<std::uint32_t>(k.value()), 0, 0});
     chains.position[k] += 0.1 * Vec3(u[0] - 0.5, u[1] - 0.5, u[2] - 0.5);
     centre += chains.position[k];
   }
   const auto worst = [&chains] {
     double error = 0;
-    for (std::size_t k = 0; k < 25; ++k)
-      error = std::max(error, std::abs((chains.position[k + 1] - chains.position[k]).norm() - 5));
+    for (const RodIndex rod : chains.rods(FiberIndex(0)))
+      error = std::max(error, std::abs(chains.axis(rod).norm() - 5));
     return error;
   };
   EXPECT_GT(worst(), 1e-2);

@@ -10,7 +10,7 @@ namespace fiberfate {
 
 /// Ends a fiber whose nodes stand at the end of the positions already.
 inline void end_fiber(Chains& chains, double rod_length, double radius, double bending_stiffness) {
-  chains.first_node.push_back(static_cast<Index>(chains.position.size()));
+  chains.first_node.push_back(NodeIndex(chains.position.size()));
   chains.rod_length.push_back(rod_length);
   chains.radius.push_back(radius);
   chains.swelling.push_back(1);

@@ -22,14 +22,14 @@ Chains parallel_chains(const std::vector<std::pair<double, double>>& places) {
   return chains;
 }
 
-Vec3 middle(const Chains& chains, std::size_t fiber) {
-  return chains.position[chains.begin_node(fiber) + 2];
+Vec3 middle(const Chains& chains, int fiber) {
+  return chains.position[chains.begin_node(FiberIndex(fiber)) + 2];
 }
 
 TEST(Vacancies, AreWhereNoAxisIsNearerThanADiameter) {
   const Chains chains = parallel_chains({{10, 0.5}});
   Vacancies vacancies(chains);
-  vacancies.fill(chains, 0);
+  vacancies.fill(chains, FiberIndex(0));
   const auto filled = [&](double y, double z) {
     return vacancies.filled_share({Vec3(10, y, z), Vec3::UnitX(), 16});
   };
@@ -45,7 +45,7 @@ TEST(Vacancies, AreWhereNoAxisIsNearerThanADiameter) {
 TEST(Vacancies, StopCountingWhereEnoughIsFilled) {
   const Chains chains = parallel_chains({{10, 10}});
   Vacancies vacancies(chains);
-  vacancies.fill(chains, 0);
+  vacancies.fill(chains, FiberIndex(0));
   const StraightAxis along = {Vec3(10, 10, 10), Vec3::UnitX(), 16};
   EXPECT_EQ(vacancies.filled_share(along), 1);
   const double stopped = vacancies.filled_share(along, 0.25);
@@ -73,12 +73,12 @@ TEST(Relief, MovesTheFiberThatIsInTheWayOfTwo) {
   EXPECT_EQ(relief.find(0.3), 0U);
   EXPECT_EQ(relief.find(0.1), 1U);
   relief.move();
-  for (const std::size_t f : {0U, 2U, 3U}) EXPECT_EQ(middle(chains, f), middle(before, f));
+  for (const int f : {0, 2, 3}) EXPECT_EQ(middle(chains, f), middle(before, f));
   EXPECT_NE(middle(chains, 1), middle(before, 1));
   static_cast<void>(minimiser.measure());
   EXPECT_EQ(relief.find(0.1), 0U);
   // It keeps its direction and its length.
-  const Vec3 fiber = chains.position[9] - chains.position[5];
+  const Vec3 fiber = chains.position[NodeIndex(9)] - chains.position[NodeIndex(5)];
   EXPECT_NEAR((fiber - Vec3(16, 0, 0)).norm(), 0, 1e-12);
 }
 
@@ -101,7 +101,7 @@ TEST(Relief, TellsTheMinimiserOfSwollenAndShrunkFibers) {
   Minimiser minimiser(chains, Mat3::Identity() / 3);
   minimiser.use({});
   static_cast<void>(minimiser.measure());
-  const std::size_t third = chains.begin_node(2);
+  const RodIndex first(0), third = chains.rods(FiberIndex(2)).front();
   const double before = minimiser.overlap(third);
   Relief relief(chains, minimiser, 1);
   ASSERT_EQ(relief.find(0.1), 1U);
@@ -109,7 +109,7 @@ TEST(Relief, TellsTheMinimiserOfSwollenAndShrunkFibers) {
     relief.alter({1, swelling, 1});
     static_cast<void>(minimiser.measure());
     // Of both: the fiber that was found is one of the first two.
-    const double largest = std::max(minimiser.overlap(third), minimiser.overlap(0));
+    const double largest = std::max(minimiser.overlap(third), minimiser.overlap(first));
     EXPECT_NEAR(largest, 1 - 0.8 / (0.5 + 0.5 * swelling), 1e-12);
   }
   EXPECT_EQ(minimiser.overlap(third), before);
@@ -126,7 +126,7 @@ TEST(Relief, PrefersWhatItHasNotMovedYet) {
   const Vec3 stays = middle(chains, 1);
   EXPECT_EQ(stays, Vec3(10, 5.8, 5));
   // Back into the way: now the other one is taken.
-  for (int k = 0; k <= 4; ++k) chains.position[static_cast<std::size_t>(k)] = Vec3(2 + 4 * k, 5, 5);
+  for (int k = 0; k <= 4; ++k) chains.position[NodeIndex(k)] = Vec3(2 + 4 * k, 5, 5);
   minimiser.forget_neighbours();
   static_cast<void>(minimiser.measure());
   EXPECT_EQ(relief.find(0.1), 1U);

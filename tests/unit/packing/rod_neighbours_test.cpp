@@ -14,75 +14,75 @@ namespace fiberfate {
 namespace {
 
 struct Pair {
-  std::size_t node, other;
+  RodIndex rod, other;
   double distance;
 };
 
-bool excluded(const Chains& chains, std::size_t fiber, std::size_t node, std::size_t other, double contact) {
-  const bool same =
-      node >= chains.begin_node(fiber) && other >= chains.begin_node(fiber) && other < chains.end_node(fiber);
-  const double between = std::abs(static_cast<double>(node) - static_cast<double>(other)) - 1;
-  return same && between * chains.rod_length[fiber] < 2 * contact;
+/// A rod and its fiber.
+struct Rod {
+  FiberIndex fiber;
+  RodIndex rod;
+};
+
+std::vector<Rod> rods_of(const Chains& chains) {
+  std::vector<Rod> rods;
+  for (const FiberIndex f : chains.fibers())
+    for (const RodIndex rod : chains.rods(f)) rods.push_back({f, rod});
+  return rods;
+}
+
+bool excluded(const Chains& chains, const Rod& one, const Rod& other, double contact) {
+  const double between = (std::abs(one.rod - other.rod) - 1) * chains.rod_length[one.fiber];
+  return one.fiber == other.fiber && between < 2 * contact;
 }
 
 /// All pairs of rods within range, over all images up to `most` cells away: the specification of the lists.
 std::vector<Pair> brute_force(const Chains& chains, const NeighbourRange& range, int most) {
   std::vector<Pair> pairs;
-  std::vector<std::pair<std::size_t, std::size_t>> rods;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f)
-    for (std::size_t k = chains.begin_node(f); k + 1 < chains.end_node(f); ++k) rods.emplace_back(f, k);
+  const std::vector<Rod> rods = rods_of(chains);
   IntVec3 image;
   for (image[0] = -most; image[0] <= most; ++image[0])
     for (image[1] = -most; image[1] <= most; ++image[1])
       for (image[2] = -most; image[2] <= most; ++image[2])
-        for (const auto& [f, k] : rods)
-          for (const auto& [g, m] : rods) {
+        for (const Rod& one : rods)
+          for (const Rod& other : rods) {
+            const FiberIndex f = one.fiber, g = other.fiber;
             bool possible = true;
             for (int i = 0; i < 3; ++i)
-              possible = possible && (image[i] == 0 || chains.cell.boundary[static_cast<std::size_t>(i)] ==
-                                                           Boundary::periodic);
+              possible = possible && (image[i] == 0 || chains.cell.boundary[i] == Boundary::periodic);
             const double contact = range.swelling * (chains.radius[f] + chains.radius[g]) + range.reach;
-            if (!possible || (image.isZero() && excluded(chains, f, k, m, contact))) continue;
+            if (!possible || (image.isZero() && excluded(chains, one, other, contact))) continue;
             const Vec3 shift = chains.cell.shift(image);
             const double farthest =
                 0.5 * (chains.rod_length[f] + chains.rod_length[g]) + contact + range.skin;
-            const Vec3 apart = 0.5 * (chains.position[k] + chains.position[k + 1] - chains.position[m] -
-                                      chains.position[m + 1]) -
-                               shift;
+            const Vec3 apart = chains.centre(one.rod) - chains.centre(other.rod) - shift;
             if (apart.squaredNorm() > farthest * farthest) continue;
-            const double distance =
-                closest_points({chains.position[k], chains.position[k + 1]},
-                               {chains.position[m] + shift, chains.position[m + 1] + shift})
-                    .distance;
-            if (distance < contact + range.skin) pairs.push_back({k, m, distance});
+            const Segment image_of_other = shifted(chains.segment(other.rod), shift);
+            const double distance = closest_points(chains.segment(one.rod), image_of_other).distance;
+            if (distance < contact + range.skin) pairs.push_back({one.rod, other.rod, distance});
           }
   return pairs;
 }
 
 std::vector<Pair> listed(const Chains& chains, const RodNeighbours& neighbours) {
   std::vector<Pair> pairs;
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f)
-    for (std::size_t k = chains.begin_node(f); k + 1 < chains.end_node(f); ++k)
-      for (const NeighbourRod& other : neighbours.of(k)) {
-        const std::size_t m = other.node;
-        const double distance =
-            closest_points({chains.position[k], chains.position[k + 1]},
-                           {chains.position[m] + other.shift, chains.position[m + 1] + other.shift})
-                .distance;
-        pairs.push_back({k, m, distance});
-      }
+  for (const Rod& one : rods_of(chains))
+    for (const NeighbourRod& other : neighbours.of(one.rod)) {
+      const Segment near = shifted(chains.segment(other.rod), other.shift);
+      pairs.push_back({one.rod, other.rod, closest_points(chains.segment(one.rod), near).distance});
+    }
   return pairs;
 }
 
 void expect_same(std::vector<Pair> found, std::vector<Pair> expected) {
   const auto order = [](const Pair& a, const Pair& b) {
-    return std::tie(a.node, a.other, a.distance) < std::tie(b.node, b.other, b.distance);
+    return std::tie(a.rod, a.other, a.distance) < std::tie(b.rod, b.other, b.distance);
   };
   std::sort(found.begin(), found.end(), order);
   std::sort(expected.begin(), expected.end(), order);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(found[i].node, expected[i].node);
+    EXPECT_EQ(found[i].rod, expected[i].rod);
     EXPECT_EQ(found[i].other, expected[i].other);
     EXPECT_NEAR(found[i].distance, expected[i].distance, 1e-9);
   }
@@ -113,12 +113,13 @@ TEST(RodNeighbours, FindImagesOfRodsLongerThanTheCell) {
   expect_same(listed(chains, neighbours), brute_force(chains, {1, 0, 0.5}, 8));
 }
 
+using Loads = IndexedVector<SlotIndex, RepulsionLoad>;
+
 /// Energy sum of k g² / 2 over all pairs, from the loads (each rod carries half of each of its pairs).
-double energy(const Chains& chains, const RepulsionLaw& law, std::vector<RepulsionLoad>& loads,
-              RodNeighbours& neighbours) {
-  for (std::size_t f = 0; f < chains.rod_length.size(); ++f) neighbours.refresh(chains, f);
-  loads.resize(static_cast<std::size_t>(neighbours.rod_count()));
-  repulsion_kernel()(neighbours.input(), law, 0, static_cast<int>(neighbours.rod_count()), loads.data());
+double energy(const Chains& chains, const RepulsionLaw& law, Loads& loads, RodNeighbours& neighbours) {
+  for (const FiberIndex f : chains.fibers()) neighbours.refresh(chains, f);
+  loads.resize(neighbours.rod_count());
+  repulsion_kernel()(neighbours.input(), law, 0, neighbours.rod_count(), loads.data());
   double sum = 0;
   for (const RepulsionLoad& load : loads) sum += load.energy;
   return sum;
@@ -131,21 +132,16 @@ TEST(RodRepulsion, IsMinusTheGradientOfItsEnergy) {
   RepulsionLaw law;
   law.swelling = 1.6;
   law.stiffness = 0.7;
-  std::vector<RepulsionLoad> loads, other;
+  Loads loads, other;
   ASSERT_GT(energy(chains, law, loads, neighbours), 0.1);
   int compared = 0;
-  for (std::size_t k = 0; k < chains.position.size(); ++k) {
+  for (const NodeIndex k : chains.nodes()) {
     Vec3 force = Vec3::Zero();
-    const std::size_t fiber = k / 7, place = k % 7;
-    if (place < 6)
-      force += Vec3(loads[neighbours.slot(k)].on_begin[0], loads[neighbours.slot(k)].on_begin[1],
-                    loads[neighbours.slot(k)].on_begin[2]);
-    if (place > 0)
-      force += Vec3(loads[neighbours.slot(k - 1)].on_end[0], loads[neighbours.slot(k - 1)].on_end[1],
-                    loads[neighbours.slot(k - 1)].on_end[2]);
+    const FiberIndex fiber(k.value() / 7);
+    if (k != chains.last_node(fiber)) force += Vec3(loads[neighbours.slot(rod_after(k))].on_begin);
+    if (k != chains.begin_node(fiber)) force += Vec3(loads[neighbours.slot(rod_before(k))].on_end);
     if (force.norm() < 1e-3) continue;
     ++compared;
-    ASSERT_LT(fiber, chains.rod_length.size());
     for (int i = 0; i < 3; ++i) {
       constexpr double step = 1e-6;
       const double before = chains.position[k][i];
@@ -162,10 +158,11 @@ TEST(RodRepulsion, IsMinusTheGradientOfItsEnergy) {
 }
 
 TEST(RodRepulsion, BalancesAndReportsTheLargestOverlap) {
+  const auto fiber_of = [](RodIndex rod) { return FiberIndex(rod.value() / 7); };
   const Chains chains = random_chains(rectangular_cell(Vec3::Constant(14)), 12, 6, 4);
   RodNeighbours neighbours;
   neighbours.build(chains, {1, 0, 0});
-  std::vector<RepulsionLoad> loads;
+  Loads loads;
   (void)energy(chains, RepulsionLaw{}, loads, neighbours);
   Vec3 sum = Vec3::Zero();
   double overlap = -1, expected = -1;
@@ -174,8 +171,8 @@ TEST(RodRepulsion, BalancesAndReportsTheLargestOverlap) {
     overlap = std::max(overlap, load.largest_overlap);
   }
   for (const Pair& pair : brute_force(chains, {1, 0, 0}, 3))
-    expected = std::max(expected,
-                        1 - pair.distance / (chains.radius[pair.node / 7] + chains.radius[pair.other / 7]));
+    expected = std::max(expected, 1 - pair.distance / (chains.radius[fiber_of(pair.rod)] +
+                                                       chains.radius[fiber_of(pair.other)]));
   EXPECT_LT(sum.norm(), 1e-12);
   EXPECT_GT(expected, 0);
   EXPECT_NEAR(overlap, expected, 1e-9);
@@ -195,21 +192,22 @@ TEST(RodRepulsion, SaturatesAsTheContactLaw) {
   law.reach = 0.1;
   law.saturation = 0.05;
   law.decay = 4;
-  std::vector<RepulsionLoad> loads;
+  Loads loads;
   (void)energy(chains, law, loads, neighbours);
   // Beyond saturation F0 (1 + x + x²/2), x = 4 (1 − 0.8).
   const double x = 4 * (1 - gap);
-  EXPECT_NEAR(-(loads[0].on_begin[2] + loads[0].on_end[2]), 0.05 * (1 + x + 0.5 * x * x), 1e-12);
+  EXPECT_NEAR(-(loads[SlotIndex(0)].on_begin[2] + loads[SlotIndex(0)].on_end[2]),
+              0.05 * (1 + x + 0.5 * x * x), 1e-12);
   // Parallel rods touch in the middle of their overlap: no couple.
-  EXPECT_NEAR(loads[0].on_begin[2], loads[0].on_end[2], 1e-12);
+  EXPECT_NEAR(loads[SlotIndex(0)].on_begin[2], loads[SlotIndex(0)].on_end[2], 1e-12);
   // The softer rod limits what a pair bears; the core comes on top.
-  chains.firmness[1] = 0.2;
+  chains.firmness[FiberIndex(1)] = 0.2;
   law.hardness = 2;
   law.core = 0.9;
   neighbours.build(chains, {1, 0.1, 0});
   (void)energy(chains, law, loads, neighbours);
-  EXPECT_NEAR(-(loads[0].on_begin[2] + loads[0].on_end[2]), 0.01 * (1 + x + 0.5 * x * x) + 2 * (0.9 - gap),
-              1e-12);
+  EXPECT_NEAR(-(loads[SlotIndex(0)].on_begin[2] + loads[SlotIndex(0)].on_end[2]),
+              0.01 * (1 + x + 0.5 * x * x) + 2 * (0.9 - gap), 1e-12);
 }
 
 }  // namespace

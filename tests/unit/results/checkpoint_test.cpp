@@ -24,8 +24,8 @@ Checkpoint sample() {
                                      Vec3(3e-4, 1e-4, 1e-4)};
   append_fiber(state, {nodes, 1});
   append_fiber(state, {nodes, 0});
-  split_fibers(state, std::array<Index, 1>{2});
-  state.relative_velocity[3] = Vec3(1.0 / 7, -2.0 / 7, 5e-300);
+  split_fibers(state, std::array<NodeIndex, 1>{NodeIndex(2)});
+  state.relative_velocity[NodeIndex(3)] = Vec3(1.0 / 7, -2.0 / 7, 5e-300);
   state.time = 0.1 + 0.2;
   state.step_size = 1e-5 / 3;
   state.step = 123456789012;

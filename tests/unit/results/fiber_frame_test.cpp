@@ -19,7 +19,7 @@ FiberState two_fibers() {
   append_fiber(state, {straight, 1});
   state.birth_id = {4, 9};
   state.birth_node = {2, 7};
-  state.relative_velocity[1] = Vec3(1, 2, 3);
+  state.relative_velocity[NodeIndex(1)] = Vec3(1, 2, 3);
   state.time = 0.75;
   return state;
 }
@@ -47,7 +47,7 @@ TEST(FiberFrame, BecomesFibersAgain) {
   EXPECT_EQ(again.birth_id, state.birth_id);
   EXPECT_EQ(again.birth_node, state.birth_node);
   EXPECT_EQ(again.cell.lattice, state.cell.lattice);
-  EXPECT_EQ(again.material(1).radius, 5e-6);
+  EXPECT_EQ(again.material(FiberIndex(1)).radius, 5e-6);
 }
 
 }  // namespace
