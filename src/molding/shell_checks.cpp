@@ -167,6 +167,10 @@ void check_rims(const Shell& shell, FaultList& faults) {
     ++rim_edges[static_cast<std::size_t>(all[i].low)];
     ++rim_edges[static_cast<std::size_t>(all[i].high)];
   }
+  if (std::ranges::all_of(rim_edges, [](int edges) { return edges == 0; }))
+    faults.add("closed surfaces",
+               "the surface is closed: it is the skin of a solid, not the middle surface of a wall",
+               "export the middle surface of the part and give its thickness");
   check_seams(shell, rim_edges, faults);  // which also leave points where surfaces touch
   for (std::size_t i = 0; i < shell.nodes.size() && shell.junctions == Junctions::refused; ++i)
     if (rim_edges[i] > 2)

@@ -1,7 +1,6 @@
 // Visits nodes down the flow, a level at a time.
 #pragma once
 
-#include <immintrin.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -20,6 +19,13 @@ namespace fiberfate {
   constexpr std::size_t most = 16;
   const std::size_t parts = 2 * ((nodes_of_the_level + 2 * most - 1) / (2 * most));
   return (nodes_of_the_level + parts - 1) / parts;
+}
+
+/// Lets the other thread of a core go ahead for a moment, where there may be one.
+inline void pause_briefly() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
 }
 
 /// Calls body(nodes) for parts of each level in turn, on all threads: what a node takes from upstream is
@@ -49,7 +55,7 @@ void sweep_down_the_flow(const StepFlow& step, const Body& body) {
     for (std::size_t p = taken++; p < parts.size(); p = taken++) {
       for (int looks = 0; done.load(std::memory_order_acquire) < parts[p].before; ++looks) {
         if (looks < looks_before_yielding)
-          _mm_pause();
+          pause_briefly();
         else
           std::this_thread::yield();
       }

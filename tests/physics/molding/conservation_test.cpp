@@ -1,6 +1,8 @@
 // Holds volume, passive tracers and heat to account in a filling with all mechanisms.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "continuum/length_registry.hpp"
 #include "test_shells.hpp"
 
@@ -60,8 +62,7 @@ TEST(Conservation, VolumeTracerAndHeatAreKept) {
   const FillingState& state = filling.state();
   const std::size_t layers = filling.layers().count();
   const double whole = filling.mesh().total_volume();
-  while (!filling.finished()) {
-    filling.advance();
+  fill(filling, [&] {
     double volume = 0, tracer = 0;
     for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
       const double content = filling.mesh().volume(i) * state.filled[i] + state.excess[i];
@@ -81,7 +82,7 @@ TEST(Conservation, VolumeTracerAndHeatAreKept) {
     const HeatAccount& heat = state.heat;
     ASSERT_NEAR(heat.brought_in + heat.dissipated - heat.to_mold, filling.stored_heat(),
                 1e-10 * heat.brought_in);
-  }
+  });
   EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   EXPECT_GT(state.gates[1].volume, 0.1 * whole);
 }
@@ -102,11 +103,9 @@ TEST(Conservation, ValvesLoseNothing) {
   Filling filling(ShellMesh(uneven_plate()), params);
   const FillingState& state = filling.state();
   const double whole = filling.mesh().total_volume();
-  double delivered = 0;
-  while (!filling.finished()) {
-    const double before = state.time;
-    filling.advance();
-    delivered += state.flow_rate * (state.time - before);
+  double delivered = 0, before = 0;
+  fill(filling, [&] {
+    delivered += state.flow_rate * (state.time - std::exchange(before, state.time));
     double held = 0, entered = 0;
     for (std::size_t i = 0; i < filling.mesh().node_count(); ++i)
       held += filling.mesh().volume(i) * state.filled[i] + state.excess[i];
@@ -114,7 +113,7 @@ TEST(Conservation, ValvesLoseNothing) {
     ASSERT_NEAR(held, delivered, 1e-10 * whole);
     ASSERT_NEAR(entered, delivered, 1e-10 * whole);
     ASSERT_NEAR(state.injected_volume, delivered, 1e-12 * whole);
-  }
+  });
   EXPECT_EQ(state.stop_reason, FillingEnd::filled);
   EXPECT_NEAR(filling.filled_fraction(), 1, 1e-10);
   EXPECT_NEAR(delivered, whole, 1e-10 * whole);
@@ -126,14 +125,12 @@ TEST(Conservation, HeatOfFlowIsTheWorkOfTheGates) {
   FillingParams params = thermal_params();
   Filling filling(ShellMesh(uneven_plate()), params);
   double work = 0, volume_before[2] = {0, 0};
-  while (!filling.finished()) {
-    filling.advance();
+  fill(filling, [&] {
     for (std::size_t g = 0; g < 2; ++g) {
       const GateState& gate = filling.state().gates[g];
-      work += gate.pressure * (gate.volume - volume_before[g]);
-      volume_before[g] = gate.volume;
+      work += gate.pressure * (gate.volume - std::exchange(volume_before[g], gate.volume));
     }
-  }
+  });
   // What closing pockets cannot hold is pushed on by the solver, not by the gates: the rest of a coarse step.
   EXPECT_NEAR(filling.state().heat.dissipated / work, 1, 0.01);
 }

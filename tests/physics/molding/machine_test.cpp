@@ -62,10 +62,9 @@ TEST(Gates, RunnersCountFromTheFirstStep) {
   FillingParams params = strip_params(left);
   params.gates.push_back(right);
   Filling filling{ShellMesh(rectangle(r)), params};
-  while (!filling.finished()) {
-    filling.advance();
+  fill(filling, [&] {
     const FillingState& state = filling.state();
-    if (state.flow_rate == 0) break;  // all melt is in
+    if (state.flow_rate == 0) return;  // all melt is in
     for (std::size_t g = 0; g < 2; ++g)
       ASSERT_NEAR(state.gates[g].rate * params.gates[g].resistance + state.gates[g].pressure,
                   state.sprue_pressure, 1e-9 * state.sprue_pressure);
@@ -73,8 +72,8 @@ TEST(Gates, RunnersCountFromTheFirstStep) {
       EXPECT_NEAR(state.gates[0].rate / state.gates[1].rate, 32, 1e-9);
       EXPECT_NEAR(state.sprue_pressure, rate / (1e-12 + 1 / 3.2e13), 1e-6 * state.sprue_pressure);
     }
-  }
-  EXPECT_EQ(filling.run_to_end().stop_reason, FillingEnd::filled);
+  });
+  EXPECT_EQ(filling.state().stop_reason, FillingEnd::filled);
 }
 
 TEST(Gates, ValveGatesOpenAndCloseWhereTold) {

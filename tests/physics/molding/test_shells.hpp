@@ -1,6 +1,8 @@
 // Makes simple structured shells for the tests of filling.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -102,6 +104,15 @@ inline Gate film_gate(const Vec3& begin, const Vec3& end) {
   gate.end = end;
   gate.radius = 1e-5;
   return gate;
+}
+
+/// Fills to the end, or until a test fails for good, and looks after every step.
+template <class Look>
+void fill(Filling& filling, const Look& look) {
+  while (!filling.finished() && !testing::Test::HasFatalFailure()) {
+    filling.advance();
+    look();
+  }
 }
 
 }  // namespace fiberfate::test

@@ -91,6 +91,14 @@ TEST(ShellChecks, SurfacesMustNotTouchInAPoint) {
   EXPECT_NE(complaint(shell).find("touch in nothing but node 2 at (1, 1, 0) m"), std::string::npos);
 }
 
+TEST(ShellChecks, SkinsOfSolidsAreRefused) {
+  const Shell tetrahedron = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                             {1, 1, 1, 1}};
+  EXPECT_NE(complaint(tetrahedron).find("the surface is closed: it is the skin of a solid"),
+            std::string::npos);
+}
+
 TEST(ShellChecks, JunctionsAreRefusedUnlessAllowed) {
   Shell shell = square();
   shell.nodes.push_back({0.5, 0.5, 1});
