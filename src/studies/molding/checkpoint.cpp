@@ -110,7 +110,7 @@ class Loader {
                       file_.path(), name, file_.columns(name), columns));
     const auto numbers = file_.read<typename Row::value_type>(name);
     for (std::size_t i = 0; i < numbers.size(); i += columns) {
-      Row row;
+      Row row = {};
       std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(i), columns, row.begin());
       take(row, things.emplace_back());
     }
