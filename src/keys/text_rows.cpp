@@ -8,38 +8,27 @@
 namespace fiberfate {
 namespace {
 
-const Units place_units = {"m", "mm"};
+const Column coordinates = {"coordinate", {"m", "mm"}, Range::between(-1e3, 1e3)};
 
-std::optional<Complaint> append_place(const std::vector<TomlValue>& row, PlaceLines lines,
-                                      std::vector<NamedPlace>& places) {
-  const std::size_t numbers = row.size() - 1;
-  const bool fits =
-      numbers == 2 || numbers == 3 || (lines == PlaceLines::allowed && (numbers == 4 || numbers == 6));
-  if (row.empty() || !fits || !std::holds_alternative<std::string>(row[0].data))
-    return Complaint{"not a name with two or three coordinates",
-                     "give x, y in the flat part or x, y, z in space; a line has two ends"};
-  NamedPlace place;
-  place.name = std::get<std::string>(row[0].data);
-  if (std::any_of(places.begin(), places.end(),
-                  [&](const NamedPlace& one) { return one.name == place.name; }))
-    return Complaint{fmt::format("there are two places \"{}\"", place.name), "give each a name of its own"};
+/// Reads the numbers behind the name of a row.
+Reading<NamedNumbers> read_numbers(const std::vector<TomlValue>& row, const Column& column) {
+  NamedNumbers named = {RowTexts(row).text(0), {}};
   for (std::size_t i = 1; i < row.size(); ++i) {
-    const Reading<double> reading = read_quantity(row[i], place_units, Range::between(-1e3, 1e3));
+    const Reading<double> reading = read_quantity(row[i], column.units, column.range);
     if (const auto* complaint = std::get_if<Complaint>(&reading)) return *complaint;
-    place.numbers.push_back(std::get<double>(reading));
+    named.numbers.push_back(std::get<double>(reading));
   }
-  places.push_back(std::move(place));
-  return std::nullopt;
+  return named;
 }
 
-std::vector<std::string> write_places(const std::vector<NamedPlace>& places, NumberStyle style) {
-  std::vector<std::string> rows;
-  for (const NamedPlace& place : places) {
-    std::vector<std::string> items = {write_text(place.name)};
-    for (const double number : place.numbers) items.push_back(write_quantity(number, place_units, style));
-    rows.push_back(write_list(items));
-  }
-  return rows;
+std::vector<std::string> write_numbers(const NamedNumbers& named, const Column& column, NumberStyle style) {
+  std::vector<std::string> items = {write_text(named.name)};
+  for (const double number : named.numbers) items.push_back(write_quantity(number, column.units, style));
+  return items;
+}
+
+bool is_among(const std::vector<NamedNumbers>& all, const std::string& name) {
+  return std::ranges::any_of(all, [&name](const NamedNumbers& one) { return one.name == name; });
 }
 
 }  // namespace
@@ -74,12 +63,38 @@ void describe_text_rows(KeyTable& table, const std::string& key, KeyNotes notes,
   table.add({key, std::move(notes), "list of rows", {}, read, write});
 }
 
-void describe_places(KeyTable& table, const std::string& key, std::vector<NamedPlace>& places,
-                     PlaceLines lines, KeyNotes notes) {
-  describe_text_rows(
-      table, key, std::move(notes),
-      {[&places, lines](const std::vector<TomlValue>& row) { return append_place(row, lines, places); },
-       [&places] { places.clear(); }, [&places](NumberStyle style) { return write_places(places, style); }});
+RowForm<NamedPlace> place_rows(PlaceLines lines) {
+  const auto read = [lines](const std::vector<TomlValue>& row,
+                            const std::vector<NamedPlace>& before) -> Reading<NamedPlace> {
+    const std::size_t numbers = row.size() - 1;
+    const bool fits =
+        numbers == 2 || numbers == 3 || (lines == PlaceLines::allowed && (numbers == 4 || numbers == 6));
+    if (!fits || !std::holds_alternative<std::string>(row[0].data))
+      return Complaint{"not a name with two or three coordinates",
+                       "give x, y in the flat part or x, y, z in space; a line has two ends"};
+    const std::string name = RowTexts(row).text(0);
+    if (is_among(before, name))
+      return Complaint{fmt::format("there are two places \"{}\"", name), "give each a name of its own"};
+    return read_numbers(row, coordinates);
+  };
+  return {read, [](const NamedPlace& place, NumberStyle style) {
+            return write_numbers(place, coordinates, style);
+          }};
+}
+
+RowForm<NamedNumbers> number_rows(const char* owner, const Column& column, NumberCount count) {
+  const auto read = [=](const std::vector<TomlValue>& row,
+                        const std::vector<NamedNumbers>& before) -> Reading<NamedNumbers> {
+    const std::string name = RowTexts(row).text(0);
+    if (name.empty() || row.size() <= count.least || row.size() - 1 > count.most)
+      return Complaint{count.fault, ""};
+    if (is_among(before, name))
+      return Complaint{fmt::format("{} \"{}\" has two rows", owner, name), "leave one of them out"};
+    return read_numbers(row, column);
+  };
+  return {read, [column](const NamedNumbers& named, NumberStyle style) {
+            return write_numbers(named, column, style);
+          }};
 }
 
 }  // namespace fiberfate

@@ -97,12 +97,14 @@ MeanLengths FilledLengths::gap_means(std::size_t set, std::span<const Index> nod
   return {sum.number_average / volumes, sum.weight_average / volumes};
 }
 
+LengthClasses FilledLengths::population(std::size_t set, std::span<const Index> nodes) const {
+  LengthClasses all;
+  visit_wet(nodes, [&](std::size_t node, double volume) { append(all, population(set, node), volume); });
+  return all;
+}
+
 MeanLengths FilledLengths::sample_means(std::size_t set, std::span<const Index> nodes) const {
-  if (reading_ == LengthReading::population) {
-    LengthClasses all;
-    visit_wet(nodes, [&](std::size_t node, double volume) { append(all, population(set, node), volume); });
-    return means_of(all);
-  }
+  if (reading_ == LengthReading::population) return means_of(population(set, nodes));
   const std::span<const double> widths = filling_.layers().widths();
   double numbers = 0, weighted = 0;
   const double volumes = visit_wet(nodes, [&](std::size_t node, double volume) {

@@ -28,6 +28,8 @@ class FilledLengths {
   [[nodiscard]] LengthClasses population(std::size_t set, std::size_t node, std::size_t layer) const;
   /// Gives the same of the whole gap, every layer with its share of the volume.
   [[nodiscard]] LengthClasses population(std::size_t set, std::size_t node) const;
+  /// Gives the same of some nodes, every node with its volume of melt.
+  [[nodiscard]] LengthClasses population(std::size_t set, std::span<const Index> nodes) const;
   /// L_N and L_W at a point; NaN where there is no melt.
   [[nodiscard]] MeanLengths means(std::size_t set, std::size_t node, std::size_t layer) const;
   /// L_N and L_W over the gap and over nodes: those of the sample where fibers are a population, the

@@ -22,10 +22,13 @@ struct Shell {
   Junctions junctions = Junctions::refused;
 };
 
+/// The volume of its triangles, m³.
+[[nodiscard]] double volume_of(const Shell& shell);
+
 /// Checks a shell. Raises InputError that lists the faults with the triangle or node, its place and the
 /// remedy: missing or unused nodes, degenerate triangles, thickness that is not positive, edges of more than
 /// two triangles, neighbours that are turned the other way, open seams (nodes that coincide but are not
-/// shared), surfaces that touch in a point, a part in several pieces.
+/// shared), surfaces that touch in a point or are closed as the skin of a solid is, a part in several pieces.
 void check_shell(const Shell& shell);
 
 }  // namespace fiberfate

@@ -35,6 +35,17 @@ std::array<double, 3> corner_areas(const std::array<double, 3>& cotangent,
 
 }  // namespace
 
+double volume_of(const Shell& shell) {
+  double volume = 0;
+  for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
+    const auto& [a, b, c] = shell.triangles[t];
+    const Vec3& corner = shell.nodes[at(a)];
+    const Vec3 twice_area = (shell.nodes[at(b)] - corner).cross(shell.nodes[at(c)] - corner);
+    volume += 0.5 * twice_area.norm() * shell.thickness[t];
+  }
+  return volume;
+}
+
 ShellMesh::ShellMesh(Shell shell) : shell_(std::move(shell)) {
   check_shell(shell_);
   flow_ = flow_triangles(shell_);

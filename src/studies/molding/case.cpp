@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
+#include "studies/length_choices.hpp"
 #include "studies/molding/setup.hpp"
 
 #include "base/error.hpp"
@@ -23,19 +23,26 @@ constexpr double noticed_error = 0.01;
 /// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
 constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
 
-/// All keys that can give the flow.
-constexpr const char* flow_keys[] = {"machine.flow_rate",    "machine.fill_time",
-                                     "machine.flow_profile", "machine.flow_by_filled",
-                                     "machine.ram_profile",  "machine.ram_by_filled"};
+/// All keys that can give the flow, and whether they do.
+struct FlowKey {
+  const char* key;
+  bool given;
+};
+std::vector<FlowKey> flow_keys(const MachineChoices& machine) {
+  return {{"machine.flow_rate", machine.flow_rate.has_value()},
+          {"machine.fill_time", machine.fill_time.has_value()},
+          {"machine.flow_profile", !machine.flow_profile.empty()},
+          {"machine.flow_by_filled", !machine.flow_by_filled.empty()},
+          {"machine.ram_profile", !machine.ram_profile.empty()},
+          {"machine.ram_by_filled", !machine.ram_by_filled.empty()}};
+}
 
 void validate_machine(const MachineChoices& machine, CaseChecker& checker) {
-  const int given = (machine.flow_rate ? 1 : 0) + (machine.fill_time ? 1 : 0) +
-                    (machine.flow_profile.empty() ? 0 : 1) + (machine.flow_by_filled.empty() ? 0 : 1) +
-                    (machine.ram_profile.empty() ? 0 : 1) + (machine.ram_by_filled.empty() ? 0 : 1);
+  const std::vector<FlowKey> keys = flow_keys(machine);
+  const auto given = std::ranges::count_if(keys, &FlowKey::given);
   // A profile that could not be read is no second fault.
-  const auto is_sound = [&checker](const char* key) { return checker.is_sound(key); };
-  const bool readable = std::all_of(std::begin(flow_keys), std::end(flow_keys), is_sound);
-  if (given != 1 && readable)
+  const auto is_sound = [&checker](const FlowKey& one) { return checker.is_sound(one.key); };
+  if (given != 1 && std::ranges::all_of(keys, is_sound))
     checker.error(
         "machine.flow_rate", given == 0 ? "no flow is given" : "the flow is given in more than one way",
         "give one of flow_rate, fill_time, flow_profile, flow_by_filled, ram_profile, ram_by_filled");
@@ -65,10 +72,15 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
   else if (means && !(*fibers.number_average <= *fibers.weight_average))
     checker.error("fibers.number_average", "more than " + checker.cite("fibers.weight_average"),
                   "L_N is never more than L_W");
-  const auto bins = [](const LawChoice& law) { return law.name == "phelps" || law.name == "durin"; };
-  if (means && (bins(values.law) || bins(values.compared)))
+  if (means && (needs_bins(values.law) || needs_bins(values.compared)))
     checker.error("fibers.number_average", "phelps and durin follow distributions only",
                   "give fibers.distribution");
+  if (values.law.name.empty() && !values.compared.name.empty())
+    checker.error("compare.name", "there is no first law", "choose one in [law]");
+}
+
+void validate_coupling(const MoldingCase& values, CaseChecker& checker) {
+  const MoldingFiberChoices& fibers = values.fibers;
   if (fibers.coupling != CouplingChoice::none && values.orientation.name.empty())
     checker.error("fibers.coupling", "the coupled viscosity needs the orientation",
                   "choose a law in [orientation]");
@@ -81,8 +93,6 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
   if (fibers.trouton_length && !(*fibers.trouton_length > fibers.diameter))
     checker.error("fibers.trouton_length", "not more than " + checker.cite("fibers.diameter"),
                   "give the length of the fibers");
-  if (values.law.name.empty() && !values.compared.name.empty())
-    checker.error("compare.name", "there is no first law", "choose one in [law]");
 }
 
 void validate_sweep(const MoldingCase& values, CaseChecker& checker) {
@@ -150,33 +160,34 @@ FaultPlace place_at_gate(const std::string& fault) {
   return {"gates.places", ""};
 }
 
-/// Finds the key under which the case gives the flow.
-std::string key_of_flow(const MachineChoices& machine) {
-  if (!machine.flow_profile.empty()) return "machine.flow_profile";
-  if (!machine.flow_by_filled.empty()) return "machine.flow_by_filled";
-  if (!machine.ram_profile.empty()) return "machine.ram_profile";
-  return machine.ram_by_filled.empty() ? "machine.flow_rate" : "machine.ram_by_filled";
-}
-
 /// Finds the place in the case of a fault of the solver's parameters.
 FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
   const std::string& fault = problem.key;
-  const auto starts = [&fault](const char* with) { return fault.starts_with(with); };
-  if (starts("gates.")) return {fault, problem.value};
-  if (fault == "material.viscosity") return {"melt.name", ""};
-  if (starts("part.") || starts("material.") || starts("numerics") || starts("output.")) return {fault, ""};
-  if (starts("sensor ")) return {"gates.sensors", fault.substr(7, fault.rfind('.') - 7)};
-  if (starts("gate ")) return place_at_gate(fault);
-  if (starts("gate")) return {"gates.places", ""};
-  if (fault == "process.flow") return {key_of_flow(values.machine), ""};
-  if (fault == "process.inlet_temperature") return {"machine.melt_temperature", ""};
-  if (starts("process.mold")) return {"machine.mold_temperature", ""};
-  if (starts("process")) return {"machine.switchover", ""};
-  if (starts("fibers.inlet.orientation")) return {"fibers.inlet_orientation", ""};
-  if (starts("fibers.coupling")) return {"fibers.coupling", ""};
-  if (starts("fibers") || starts("length")) return {"fibers.length", ""};
-  if (fault == "mesh") return {values.part.kind == PartKind::file ? "part.file" : "part.mesh_size", ""};
-  return {values.part.kind == PartKind::file ? "part.file" : "part.kind", ""};
+  if (fault.starts_with("gates.")) return {fault, problem.value};
+  if (fault.starts_with("sensor ")) return {"gates.sensors", fault.substr(7, fault.rfind('.') - 7)};
+  if (fault.starts_with("gate ")) return place_at_gate(fault);
+  const std::vector<FlowKey> flows = flow_keys(values.machine);
+  const bool meshed = values.part.kind != PartKind::file;
+  // The first that the fault begins with.
+  const std::pair<const char*, std::string> keys[] = {
+      {"material.viscosity", "melt.name"},
+      {"material.", fault},
+      {"part.", fault},
+      {"numerics", fault},
+      {"output.", fault},
+      {"gate", "gates.places"},
+      {"process.flow", std::ranges::find_if(flows, &FlowKey::given)->key},
+      {"process.inlet_temperature", "machine.melt_temperature"},
+      {"process.mold", "machine.mold_temperature"},
+      {"process", "machine.switchover"},
+      {"fibers.inlet.orientation", "fibers.inlet_orientation"},
+      {"fibers.coupling", "fibers.coupling"},
+      {"fibers", "fibers.length"},
+      {"length", "fibers.length"},
+      {"mesh", meshed ? "part.mesh_size" : "part.file"},
+      {"", meshed ? "part.kind" : "part.file"}};
+  return {std::ranges::find_if(keys, [&](const auto& one) { return fault.starts_with(one.first); })->second,
+          ""};
 }
 
 /// Warns of a mesh that costs more than a little accuracy.
@@ -240,6 +251,7 @@ void validate_molding(const MoldingCase& values, CaseChecker& checker) {
   validate_law(attrition_menu(), "compare", values.compared, checker);
   validate_machine(values.machine, checker);
   validate_lengths(values, checker);
+  validate_coupling(values, checker);
   validate_sweep(values, checker);
   validate_coordinates(values, checker);
   // A part from a file that may be gone is in the checkpoint.

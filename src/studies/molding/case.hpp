@@ -9,11 +9,11 @@
 #include "continuum/attrition_law.hpp"
 #include "continuum/homogenisation.hpp"
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
 #include "keys/law_choice.hpp"
 #include "keys/text_rows.hpp"
 #include "molding/filling_params.hpp"
 #include "studies/molding/part.hpp"
+#include "studies/run_choices.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
@@ -30,23 +30,17 @@ struct ValveTimes {
   std::vector<ValveEvent> events;
 };
 
-/// Numbers that belong to one gate.
-struct GateNumbers {
-  std::string gate;
-  std::vector<double> numbers;
-};
-
 /// The keys of [gates].
 struct GateChoices {
   std::vector<NamedPlace> places;
-  double radius = 1e-3;                  ///< m
-  double resistance = 0;                 ///< of each gate's runner, Pa s/m³
-  std::vector<GateNumbers> resistances;  ///< of gates with a runner of their own, Pa s/m³
+  double radius = 1e-3;                   ///< m
+  double resistance = 0;                  ///< of each gate's runner, Pa s/m³
+  std::vector<NamedNumbers> resistances;  ///< of gates with a runner of their own, Pa s/m³
   std::vector<NamedPlace> sensors;
   std::vector<ValveTimes> valves;
-  std::vector<GateNumbers> orientations;  ///< three principal values along fibers.inlet_axes
-  std::vector<GateNumbers> lengths;       ///< one length a class of [fibers], m
-  std::vector<GateNumbers> numbers;       ///< of fibers, one a class of [fibers]
+  std::vector<NamedNumbers> orientations;  ///< three principal values along fibers.inlet_axes
+  std::vector<NamedNumbers> lengths;       ///< one length a class of [fibers], m
+  std::vector<NamedNumbers> numbers;       ///< of fibers, one a class of [fibers]
 };
 
 /// The keys of [material]: what the heat equation needs.
@@ -107,6 +101,8 @@ struct CompositeChoices {
 
 /// What was measured.
 enum class MeasuredMean { number_average, weight_average };
+/// "L_N" or "L_W".
+[[nodiscard]] const char* symbol(MeasuredMean mean);
 
 /// One measured mean length.
 struct MeasuredLength {
@@ -146,16 +142,15 @@ struct MoldingCase {
   MoldingSweep sweep;
   FillingNumerics numerics;
   MoldingOutput output;
-  int threads = 0;
+  RunChoices run;
 };
 
 /// The kind of cases that fill a mold; other studies read such cases, too.
 [[nodiscard]] CaseKind molding_kind();
 void describe_molding(KeyTable& table, MoldingCase& values);
-/// Adds the keys of [gates], [material] and [machine].
-void describe_gates(KeyTable& table, GateChoices& gates);
-void describe_material(KeyTable& table, MaterialChoices& material);
-void describe_machine(KeyTable& table, MachineChoices& machine);
+[[nodiscard]] KeyGroup<GateChoices> gate_keys();
+[[nodiscard]] KeyGroup<MaterialChoices> material_keys();
+[[nodiscard]] KeyGroup<MachineChoices> machine_keys();
 void validate_molding(const MoldingCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_molding(const MoldingCase& values);
 

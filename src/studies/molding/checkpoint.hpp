@@ -4,8 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "molding/filling_state.hpp"
-#include "molding/shell_mesh.hpp"
+#include "molding/filling.hpp"
 #include "results/recorder.hpp"
 #include "results/result_folder.hpp"
 
@@ -27,6 +26,8 @@ struct MoldingCheckpoint {
   MoldingRecord record;
 };
 
+/// Writes one file; raises StorageError.
+void write_molding(const std::string& path, const MoldingCheckpoint& checkpoint);
 /// Saves a checkpoint where a run keeps them; raises StorageError.
 void save_checkpoint(Recorder& recorder, const MoldingCheckpoint& checkpoint);
 /// Saves the state in which a filling failed; raises StorageError.
@@ -35,7 +36,9 @@ void save_failure(Recorder& recorder, const MoldingCheckpoint& checkpoint);
 [[nodiscard]] MoldingCheckpoint load_molding(Recorder& recorder);
 /// Reads the newest sound checkpoint of a result; raises StorageError when there is none.
 [[nodiscard]] MoldingCheckpoint load_molding(const ResultFolder& folder);
-/// Reads one file; raises StorageError.
+/// Reads one file; raises StorageError where it is damaged or its parts do not fit each other.
 [[nodiscard]] MoldingCheckpoint read_molding(const std::string& path);
+/// Makes the filling that goes on from there; raises StorageError where it is not one of these parameters.
+[[nodiscard]] Filling filling_from(MoldingCheckpoint checkpoint, const FillingParams& params);
 
 }  // namespace fiberfate

@@ -1,9 +1,10 @@
-// Makes frames of fillings.
+// Frames of fillings.
 #include "studies/molding/frames.hpp"
 
 #include <limits>
 
 #include "microstructure/tensor.hpp"
+#include "studies/molding/observables.hpp"
 
 namespace fiberfate {
 namespace {
@@ -46,58 +47,39 @@ void add_lengths(const MoldingFields& fields, std::size_t set, const std::string
   frame.point_data.push_back(node_array("L_W" + suffix, "m", fields, weight));
 }
 
-void add_geometry(const Shell& shell, PolyFrame& frame) {
+/// The values of a field over all levels from wall to wall, node by node of each.
+FrameArray layered_array(const MoldingFields& fields, const GapField& field, std::size_t nodes,
+                         std::size_t half) {
+  std::vector<float> numbers;
+  for (std::size_t level = 0; level < 2 * half; ++level) {
+    const std::size_t layer = level < half ? half - 1 - level : level - half;
+    for (std::size_t i = 0; i < nodes; ++i)
+      numbers.push_back(fields.is_wet(i) ? single(field.profile.measure({fields, i, layer})) : never);
+  }
+  return {field.array, field.profile.unit.empty() ? "1" : field.profile.unit, 1, std::move(numbers)};
+}
+
+}  // namespace
+
+PolyFrame shell_frame(const Filling& filling) {
+  const Shell& shell = filling.mesh().shell();
+  PolyFrame frame;
+  frame.time = filling.state().time;
+  frame.shape = CellShape::polygon;
   for (const Vec3& node : shell.nodes) frame.points.insert(frame.points.end(), node.data(), node.data() + 3);
   frame.offsets = {0};
   for (const auto& triangle : shell.triangles) {
     frame.connectivity.insert(frame.connectivity.end(), triangle.begin(), triangle.end());
     frame.offsets.push_back(static_cast<std::int64_t>(frame.connectivity.size()));
   }
+  return frame;
 }
-
-/// Adds an array whose value at a point of the prisms comes from node and layer.
-template <class Value>
-void add_layered(PrismMesh& prisms, const MoldingFields& fields, const std::string& name,
-                 const std::string& unit, const Value& value) {
-  const std::size_t nodes = fields.filling().mesh().node_count(), half = fields.filling().layers().count();
-  std::vector<float> numbers;
-  for (std::size_t level = 0; level < 2 * half; ++level)
-    for (std::size_t i = 0; i < nodes; ++i)
-      numbers.push_back(fields.is_wet(i) ? single(value(i, level < half ? half - 1 - level : level - half))
-                                         : never);
-  prisms.point_data.push_back({name, unit, 1, std::move(numbers)});
-}
-
-void add_layered_fields(PrismMesh& prisms, const MoldingFields& fields) {
-  const Filling& filling = fields.filling();
-  const FillingState& state = filling.state();
-  const std::size_t half = filling.layers().count();
-  add_layered(prisms, fields, "temperature", "K",
-              [&](std::size_t i, std::size_t layer) { return state.temperature[i * half + layer]; });
-  add_layered(prisms, fields, "rate", "1/s",
-              [&](std::size_t i, std::size_t layer) { return state.rate[i * half + layer]; });
-  static constexpr const char* names[] = {"A11", "A22", "A33", "A23", "A31", "A12"};
-  for (int k = 0; k < 6 && fields.setup().params.fibers.orientation; ++k)
-    add_layered(prisms, fields, names[k], "1", [&](std::size_t i, std::size_t layer) {
-      return filling.orientation(i, layer)(row_of[k], column_of[k]);
-    });
-  if (fields.set_count() == 0) return;
-  add_layered(prisms, fields, "L_N", "m",
-              [&](std::size_t i, std::size_t layer) { return fields.means(0, i, layer).number_average; });
-  add_layered(prisms, fields, "L_W", "m",
-              [&](std::size_t i, std::size_t layer) { return fields.means(0, i, layer).weight_average; });
-}
-
-}  // namespace
 
 PolyFrame part_frame(const MoldingFields& fields, FrameGeometry geometry) {
   const Filling& filling = fields.filling();
   const FillingState& state = filling.state();
-  PolyFrame frame;
-  frame.time = state.time;
-  frame.shape = CellShape::polygon;
+  PolyFrame frame = shell_frame(filling);
   frame.geometry = geometry;
-  add_geometry(filling.mesh().shell(), frame);
   std::vector<float> fill_time(state.fill_time.begin(), state.fill_time.end());
   std::vector<float> pressure(state.pressure.begin(), state.pressure.end());
   std::vector<std::int32_t> mark;
@@ -129,7 +111,9 @@ PrismMesh layer_prisms(const MoldingFields& fields) {
   }
   prisms.levels = 2 * half;
   prisms.triangles = mesh.shell().triangles;
-  add_layered_fields(prisms, fields);
+  for (const GapField& field : gap_fields())
+    if (!field.array.empty() && field.is_followed(fields))
+      prisms.point_data.push_back(layered_array(fields, field, mesh.node_count(), half));
   return prisms;
 }
 

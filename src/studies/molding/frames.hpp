@@ -1,4 +1,4 @@
-// Makes frames of fillings: the part over time, its layers, its stiffness.
+// Frames of fillings: the part over time, and its layers.
 #pragma once
 
 #include "io/poly_frame.hpp"
@@ -6,6 +6,9 @@
 #include "studies/molding/fields.hpp"
 
 namespace fiberfate {
+
+/// Makes a frame of the part's triangles and the present time, without data.
+[[nodiscard]] PolyFrame shell_frame(const Filling& filling);
 
 /// Makes a frame of the present state (docs/formats/results.md); the first has the geometry, later ones share
 /// it.

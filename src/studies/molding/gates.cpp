@@ -60,10 +60,10 @@ Gate gate_at(const NamedPlace& place, double radius, const MoldingPart& part) {
   return gate;
 }
 
-void require_numbers(const GateNumbers& gate, std::size_t wanted, const char* key, const char* remedy) {
+void require_numbers(const NamedNumbers& gate, std::size_t wanted, const char* key, const char* remedy) {
   if (gate.numbers.size() != wanted)
-    refuse(key, gate.gate,
-           fmt::format("gate \"{}\" has {} numbers where {} belong", gate.gate, gate.numbers.size(), wanted),
+    refuse(key, gate.name,
+           fmt::format("gate \"{}\" has {} numbers where {} belong", gate.name, gate.numbers.size(), wanted),
            remedy);
 }
 
@@ -84,9 +84,9 @@ std::vector<Gate> gates_of(const GateChoices& choices, const MoldingPart& part) 
   std::vector<Gate> gates = part.gates;
   for (const NamedPlace& place : choices.places) gates.push_back(gate_at(place, choices.radius, part));
   for (Gate& gate : gates) gate.resistance = choices.resistance;
-  for (const GateNumbers& one : choices.resistances) {
+  for (const NamedNumbers& one : choices.resistances) {
     require_numbers(one, 1, "gates.resistances", "give one resistance");
-    gates[gate_named(gates, one.gate, "gates.resistances")].resistance = one.numbers[0];
+    gates[gate_named(gates, one.name, "gates.resistances")].resistance = one.numbers[0];
   }
   for (const ValveTimes& valve : choices.valves)
     gates[gate_named(gates, valve.gate, "gates.valves")].intervals = intervals_of(valve, choices.sensors);
@@ -102,22 +102,22 @@ void add_gate_inlets(const GateChoices& choices, MoldingSetup& setup) {
     if (!inlet) inlet = fibers.inlet;
     return *inlet;
   };
-  for (const GateNumbers& one : choices.orientations) {
+  for (const NamedNumbers& one : choices.orientations) {
     require_numbers(one, 3, "gates.inlet_orientations", "give A11, A22 and A33");
-    inlet_of(one.gate, "gates.inlet_orientations").orientation =
+    inlet_of(one.name, "gates.inlet_orientations").orientation =
         Vec3(one.numbers[0], one.numbers[1], one.numbers[2]).asDiagonal();
   }
   const std::size_t classes = fibers.class_lengths.size();
-  for (const GateNumbers& one : choices.lengths) {
+  for (const NamedNumbers& one : choices.lengths) {
     require_numbers(one, classes, "gates.inlet_lengths", "give one length a class of [fibers]");
-    inlet_of(one.gate, "gates.inlet_lengths").lengths = one.numbers;
+    inlet_of(one.name, "gates.inlet_lengths").lengths = one.numbers;
   }
-  for (const GateNumbers& one : choices.numbers) {
+  for (const NamedNumbers& one : choices.numbers) {
     if (setup.reading == LengthReading::means || classes < 2)
-      refuse("gates.inlet_numbers", one.gate, "there is no distribution whose classes could be counted",
+      refuse("gates.inlet_numbers", one.name, "there is no distribution whose classes could be counted",
              "give fibers.distribution");
     require_numbers(one, classes, "gates.inlet_numbers", "give one number a class of fibers.distribution");
-    inlet_of(one.gate, "gates.inlet_numbers").numbers = one.numbers;
+    inlet_of(one.name, "gates.inlet_numbers").numbers = one.numbers;
   }
 }
 

@@ -4,33 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numeric>
 
-#include "continuum/length_classes.hpp"
-#include "io/csv_table.hpp"
-#include "microstructure/tensor.hpp"
-#include "studies/molding/sweep.hpp"
+#include "calibration/length_sweep.hpp"
+#include "molding/filling_account.hpp"
+#include "studies/length_choices.hpp"
+#include "studies/molding/observables.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t histogram_bins = 30;
-
-CsvTable empty_table(std::vector<std::string> columns) {
-  CsvTable table;
-  table.columns = std::move(columns);
-  table.values.resize(table.columns.size());
-  return table;
-}
-
-void append_row(CsvTable& table, const std::vector<double>& row) {
-  for (std::size_t i = 0; i < row.size(); ++i) table.values[i].push_back(row[i]);
-}
+using Samples = std::vector<std::vector<Index>>;  ///< nodes of the sample at every place
 
 /// Makes a name that can be part of a key: "Loc. 1" becomes "Loc__1".
 std::string key_of(const std::string& name) {
@@ -40,139 +28,88 @@ std::string key_of(const std::string& name) {
 }
 
 /// Averages a value by node over a sample, by volume.
-template <class Value>
-double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes, const Value& value) {
+double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
+                   const std::vector<double>& values) {
   double sum = 0, weights = 0;
   for (const Index index : nodes) {
     const auto node = static_cast<std::size_t>(index);
     if (!fields.is_wet(node)) continue;
     const double volume = fields.filling().mesh().volume(node);
-    sum += volume * value(node);
+    sum += volume * values[node];
     weights += volume;
   }
   return sum / weights;  // NaN where there is no melt
 }
 
-/// The mean lengths of a place: those that measurements are compared with, those of all fibers of the
-/// sample, and the means over the gap.
-constexpr const char* place_lengths[] = {"L_N_m",        "L_W_m",          "L_N_sample_m",
-                                         "L_W_sample_m", "L_N_gap_mean_m", "L_W_gap_mean_m"};
-
-std::array<double, std::size(place_lengths)> lengths_at(const MoldingFields& fields, std::size_t set,
-                                                        const std::vector<Index>& sample) {
-  std::array<double, std::size(place_lengths)> lengths;
-  lengths.fill(std::nan(""));
-  if (fields.set_count() == 0) return lengths;
-  const MeanLengths all[] = {fields.means(set, sample), fields.sample_means(set, sample),
-                             fields.gap_means(set, sample)};
-  for (std::size_t i = 0; i < std::size(all); ++i) {
-    lengths[2 * i] = all[i].number_average;
-    lengths[2 * i + 1] = all[i].weight_average;
-  }
-  return lengths;
-}
-
-/// One row a place and length set: the sweep's value, fill time, temperature, mean lengths.
-CsvTable places_table(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples) {
-  std::vector<std::string> columns = {"place", "set", "value", "fill_time_s", "temperature_K"};
-  columns.insert(columns.end(), std::begin(place_lengths), std::end(place_lengths));
-  CsvTable table = empty_table(std::move(columns));
+/// Measures every place with every set of length laws.
+std::vector<PlaceSample> place_samples(const MoldingFields& fields, const Samples& samples) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const FillingState& state = fields.filling().state();
   const std::vector<double> temperature = fields.filling().gap_average(state.temperature);
-  for (std::size_t p = 0; p < samples.size(); ++p) {
-    const double fill =
-        sample_mean(fields, samples[p], [&](std::size_t node) { return state.fill_time[node]; });
-    const double heat = sample_mean(fields, samples[p], [&](std::size_t node) { return temperature[node]; });
-    for (std::size_t set = 0; set < std::max<std::size_t>(1, fields.set_count()); ++set) {
-      const std::vector<double>& swept = fields.setup().sweep_values;
-      const double value = set >= 1 && set <= swept.size() ? swept[set - 1] : std::nan("");
-      std::vector<double> row = {static_cast<double>(p), static_cast<double>(set), value, fill, heat};
-      const auto lengths = lengths_at(fields, set, samples[p]);
-      row.insert(row.end(), lengths.begin(), lengths.end());
-      append_row(table, row);
+  const std::vector<double>& swept = fields.setup().sweep_values;
+  std::vector<PlaceSample> all;
+  for (std::size_t place = 0; place < samples.size(); ++place) {
+    const std::vector<Index>& nodes = samples[place];
+    PlaceSample sample = {place,
+                          0,
+                          nan,
+                          sample_mean(fields, nodes, state.fill_time),
+                          sample_mean(fields, nodes, temperature),
+                          {nan, nan},
+                          {nan, nan},
+                          {nan, nan}};
+    if (fields.set_count() == 0) all.push_back(sample);
+    for (std::size_t set = 0; set < fields.set_count(); ++set) {
+      sample.set = set;
+      sample.value = set >= 1 && set <= swept.size() ? swept[set - 1] : nan;
+      sample.means = fields.means(set, nodes);
+      sample.of_sample = fields.sample_means(set, nodes);
+      sample.of_gap = fields.gap_means(set, nodes);
+      all.push_back(sample);
     }
   }
-  return table;
+  return all;
 }
 
 /// One row a place and layer, from the mid-plane to the wall, at the node nearest to the place.
 CsvTable profiles_table(const MoldingFields& fields) {
-  CsvTable table = empty_table({"place", "height", "z_m", "temperature_K", "rate_per_s", "viscosity_Pa_s",
-                                "a11", "a22", "a33", "a23", "a31", "a12", "L_N_m", "L_W_m"});
+  CsvTable table{columns_of(profile_observables())};
   const Filling& filling = fields.filling();
   const std::vector<double> viscosity = filling.viscosity();
   const std::size_t layers = filling.layers().count();
   const std::vector<NamedPlace>& places = fields.values().output.places;
   for (std::size_t p = 0; p < places.size(); ++p) {
     const std::size_t node = filling.mesh().nearest_node(position_of(places[p], fields.setup().part));
-    if (!fields.is_wet(node)) continue;
-    for (std::size_t layer = 0; layer < layers; ++layer) {
-      const std::size_t point = node * layers + layer;
-      const double height = filling.layers().middles()[layer];
-      std::vector<double> row = {static_cast<double>(p),
-                                 height,
-                                 0.5 * height * filling.mesh().thickness(node),
-                                 filling.state().temperature[point],
-                                 filling.state().rate[point],
-                                 viscosity[point]};
-      const Vec6 second = fields.setup().params.fibers.orientation
-                              ? to_components(filling.orientation(node, layer))
-                              : Vec6::Constant(std::nan(""));
-      row.insert(row.end(), second.begin(), second.end());
-      const MeanLengths means =
-          fields.set_count() == 0 ? MeanLengths{std::nan(""), std::nan("")} : fields.means(0, node, layer);
-      row.push_back(means.number_average);
-      row.push_back(means.weight_average);
-      append_row(table, row);
-    }
+    for (std::size_t layer = 0; layer < layers && fields.is_wet(node); ++layer)
+      table.append(
+          measure(profile_observables(), GapPoint{fields, node, layer, viscosity[node * layers + layer], p}));
   }
   return table;
 }
 
-/// Adds the histogram of a population as shares; place -1 is the inlet.
-void append_histogram(CsvTable& table, double place, double set, const LengthClasses& population,
-                      const std::vector<double>& edges) {
-  LengthClasses by_length = population;
-  for (std::size_t i = 0; i < by_length.numbers.size(); ++i) by_length.numbers[i] *= by_length.lengths[i];
-  const std::vector<double> numbers = histogram(population, edges), lengths = histogram(by_length, edges);
-  const double all = std::accumulate(population.numbers.begin(), population.numbers.end(), 0.0);
-  const double length = total_length(population);
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-    append_row(table, {place, set, edges[i], edges[i + 1], numbers[i] / all, lengths[i] / length});
-}
-
-CsvTable histogram_table(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples) {
-  CsvTable table =
-      empty_table({"place", "set", "length_low_m", "length_high_m", "number_share", "length_share"});
+/// Histograms of the inlet, place -1, and of every place, by the first law and the compared one.
+CsvTable histogram_table(const MoldingFields& fields, const Samples& samples) {
+  CsvTable table{{"place", "set", "length_low_m", "length_high_m", "number_share", "length_share"}};
   const LengthClasses inlet = fields.inlet_population();
   // Transport may lengthen a class by round-off.
   const double longest = (1 + 1e-9) * *std::max_element(inlet.lengths.begin(), inlet.lengths.end());
   std::vector<double> edges;
   for (std::size_t i = 0; i <= histogram_bins; ++i)
     edges.push_back(longest * static_cast<double>(i) / static_cast<double>(histogram_bins));
-  std::vector<std::size_t> sets = {0};
-  if (fields.setup().compared_set > 0) sets.push_back(static_cast<std::size_t>(fields.setup().compared_set));
-  for (const std::size_t set : sets) {
-    append_histogram(table, -1, static_cast<double>(set), inlet, edges);
+  std::vector<int> sets = {0};
+  if (fields.setup().compared_set > 0) sets.push_back(fields.setup().compared_set);
+  for (const double set : sets) {
+    append_length_shares(table, {-1, set}, inlet, edges);
     for (std::size_t p = 0; p < samples.size(); ++p) {
-      LengthClasses all;
-      for (const Index node : samples[p]) {
-        const LengthClasses one = fields.population(set, static_cast<std::size_t>(node));
-        all.lengths.insert(all.lengths.end(), one.lengths.begin(), one.lengths.end());
-        const double volume = fields.filling().mesh().volume(static_cast<std::size_t>(node));
-        for (const double number : one.numbers) all.numbers.push_back(number * volume);
-        all.width = one.width;
-      }
-      if (!all.lengths.empty())
-        append_histogram(table, static_cast<double>(p), static_cast<double>(set), all, edges);
+      const LengthClasses all = fields.population(static_cast<std::size_t>(set), samples[p]);
+      if (!all.lengths.empty()) append_length_shares(table, {static_cast<double>(p), set}, all, edges);
     }
   }
   return table;
 }
 
-/// The samples of every place and mean with what the sweep predicts there.
-std::vector<SweptLength> swept_lengths(const MoldingFields& fields,
-                                       const std::vector<std::vector<Index>>& samples) {
+/// The measured samples of every place and mean with what the sweep predicts there.
+std::vector<SweptLength> swept_lengths(const MoldingFields& fields, const std::vector<PlaceSample>& samples) {
   const std::vector<NamedPlace>& places = fields.values().output.places;
   std::vector<SweptLength> lengths;
   for (std::size_t place = 0; place < places.size(); ++place)
@@ -182,67 +119,46 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields,
         if (measured.place == places[place].name && measured.mean == mean)
           one.measured.push_back(measured.length);
       if (one.measured.empty()) continue;
-      for (std::size_t i = 0; i < fields.setup().sweep_values.size(); ++i) {
-        const MeanLengths means = fields.means(i + 1, samples[place]);
-        one.predicted.push_back(mean == MeasuredMean::number_average ? means.number_average
-                                                                     : means.weight_average);
-      }
+      for (const PlaceSample& sample : samples)
+        if (sample.place == place && std::isfinite(sample.value))
+          one.predicted.push_back(mean == MeasuredMean::number_average ? sample.means.number_average
+                                                                       : sample.means.weight_average);
       lengths.push_back(std::move(one));
     }
   return lengths;
 }
 
-void add_sweep(const MoldingFields& fields, const std::vector<std::vector<Index>>& samples, Outcome& out) {
-  RunSummary& summary = out.summary;
+void add_sweep(const MoldingFields& fields, const std::vector<PlaceSample>& samples, Outcome& out) {
   const std::vector<double>& values = fields.setup().sweep_values;
+  if (values.empty()) return;
   const std::vector<SweptLength> lengths = swept_lengths(fields, samples);
-  const bool all_wet = std::all_of(lengths.begin(), lengths.end(), [](const SweptLength& one) {
-    return std::isfinite(one.predicted.front());
-  });
-  if (values.empty() || lengths.empty() || !all_wet) return;
+  const bool all_wet = std::ranges::all_of(
+      lengths, [](const SweptLength& one) { return std::isfinite(one.predicted.front()); });
+  if (lengths.empty() || !all_wet) return;
   const SweepOutcome outcome = evaluate_sweep(values, lengths);
-  CsvTable table = empty_table({"value", "average_error_percent"});
-  for (std::size_t i = 0; i < values.size(); ++i) append_row(table, {values[i], outcome.errors[i]});
-  out.tables.push_back({"sweep", std::move(table)});
-  summary.own.emplace_back("sweep_parameter", fields.values().sweep.parameter);
-  summary.own.emplace_back("sweep_best_value", outcome.best_value);
-  summary.own.emplace_back("sweep_best_error_percent", outcome.best_error);
-  summary.own.emplace_back("sweep_least_squares_value", outcome.least_squares_value);
-  summary.own.emplace_back("sweep_least_squares_scatter", outcome.least_squares_error);
-  summary.own.emplace_back("sweep_least_squares_log_error", outcome.standard_error);
+  out.tables.push_back({"sweep", {{"value", "average_error_percent"}, {values, outcome.errors}}});
+  auto& own = out.summary.own;
+  own.emplace_back("sweep_parameter", fields.values().sweep.parameter);
+  own.emplace_back("sweep_best_value", outcome.best_value);
+  own.emplace_back("sweep_best_error_percent", outcome.best_error);
+  own.emplace_back("sweep_least_squares_value", outcome.least_squares_value);
+  own.emplace_back("sweep_least_squares_scatter", outcome.least_squares_error);
+  own.emplace_back("sweep_least_squares_log_error", outcome.standard_error);
 }
 
-Mat3 part_orientation(const MoldingFields& fields) {
-  Mat3 sum = Mat3::Zero();
-  double volume = 0;
-  for (std::size_t i = 0; i < fields.filling().mesh().node_count(); ++i) {
-    if (!fields.is_wet(i)) continue;
-    const double filled = fields.filling().mesh().volume(i) * fields.filling().state().filled[i];
-    sum += filled * fields.filling().mean_orientation(i);
-    volume += filled;
-  }
-  return sum / volume;
-}
-
-void add_places(const MoldingFields& fields, const CsvTable& places, RunSummary& summary) {
-  for (std::size_t i = 0; i < places.rows(); ++i) {
-    const auto set = static_cast<int>(places.column("set")[i]);
-    if (set != 0 && set != fields.setup().compared_set) continue;
-    const auto place = static_cast<std::size_t>(places.column("place")[i]);
+/// Adds what the places have, each key after the place's name: Loc_1_fill_time_s, Loc_1_compared_L_N_m.
+void add_places(const MoldingFields& fields, const std::vector<PlaceSample>& samples, RunSummary& summary) {
+  for (const PlaceSample& sample : samples) {
+    const bool first = sample.set == 0;
+    if (!first && static_cast<int>(sample.set) != fields.setup().compared_set) continue;
     const std::string prefix =
-        key_of(fields.values().output.places[place].name) + (set == 0 ? "_" : "_compared_");
-    if (set == 0) {
-      summary.own.emplace_back(prefix + "fill_time_s", places.column("fill_time_s")[i]);
-      summary.own.emplace_back(prefix + "temperature_K", places.column("temperature_K")[i]);
-    }
-    if (fields.set_count() == 0) continue;
-    for (const char* length : place_lengths)
-      summary.own.emplace_back(prefix + length, places.column(length)[i]);
+        key_of(fields.values().output.places[sample.place].name) + (first ? "_" : "_compared_");
+    RunSummary of_place;
+    summarise(place_observables(), sample, of_place);
+    for (const auto& [key, value] : of_place.own)
+      if (key.starts_with("L_") ? fields.set_count() > 0 : first)
+        summary.own.emplace_back(prefix + key, value);
   }
-}
-
-std::int64_t count_marks(const FillingState& state, NodeMark mark) {
-  return std::count(state.mark.begin(), state.mark.end(), mark);
 }
 
 /// Adds when what happened; what happens again gets a number: G1_gate_opened_2_s.
@@ -266,21 +182,7 @@ void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSu
   const FillingState& state = filling.state();
   auto& own = summary.own;
   own.emplace_back("filling_end", std::string(name(state.stop_reason)));
-  own.emplace_back("filled_fraction", filling.filled_fraction());
-  own.emplace_back("nodes", static_cast<std::int64_t>(filling.mesh().node_count()));
-  own.emplace_back("triangles", static_cast<std::int64_t>(filling.mesh().triangle_count()));
-  own.emplace_back("volume_m3", filling.mesh().total_volume());
-  own.emplace_back("area_m2", filling.mesh().total_area());
-  own.emplace_back("injected_volume_m3", state.injected_volume);
-  const double excess = std::accumulate(state.excess.begin(), state.excess.end(), 0.0);
-  own.emplace_back("volume_error",
-                   (state.injected_volume - state.filled_volume - excess) / filling.mesh().total_volume());
-  own.emplace_back("sprue_pressure_Pa", state.sprue_pressure);
-  own.emplace_back("greatest_sprue_pressure_Pa", record.greatest_pressure);
-  const double supplied = state.heat.brought_in + state.heat.dissipated;
-  own.emplace_back("heat_error", (supplied - state.heat.to_mold - filling.stored_heat()) / supplied);
-  own.emplace_back("weld_line_nodes", count_marks(state, NodeMark::weld_line));
-  own.emplace_back("air_traps", count_marks(state, NodeMark::air_trap));
+  summarise(part_observables(), moment_of(filling, record.greatest_pressure), summary);
   const auto last = std::find(state.mark.begin(), state.mark.end(), NodeMark::last_filled);
   for (int axis = 0; axis < 3 && last != state.mark.end(); ++axis)
     own.emplace_back(fmt::format("last_filled_{}_m", "xyz"[axis]),
@@ -297,9 +199,7 @@ Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record)
   Outcome outcome;
   RunSummary& summary = outcome.summary;
   add_filling(fields, record, summary);
-  std::vector<std::vector<Index>> samples;
-  for (const NamedPlace& place : fields.values().output.places) samples.push_back(fields.sample_at(place));
-  if (fields.setup().params.fibers.orientation) summary.orientation = part_orientation(fields);
+  if (fields.setup().params.fibers.orientation) summary.orientation = part_orientation(fields.filling());
   if (fields.set_count() > 0) {
     std::vector<Index> all(fields.filling().mesh().node_count());
     std::iota(all.begin(), all.end(), 0);
@@ -307,14 +207,18 @@ Outcome gather_outcome(const MoldingFields& fields, const MoldingRecord& record)
     summary.number_average = means.number_average;
     summary.weight_average = means.weight_average;
   }
+  Samples samples;
+  for (const NamedPlace& place : fields.values().output.places) samples.push_back(fields.sample_at(place));
   if (samples.empty()) return outcome;
-  const CsvTable places = places_table(fields, samples);
-  outcome.tables.push_back({"places", places});
+  const std::vector<PlaceSample> places = place_samples(fields, samples);
+  CsvTable table{columns_of(place_observables())};
+  for (const PlaceSample& place : places) table.append(measure(place_observables(), place));
+  outcome.tables.push_back({"places", std::move(table)});
   outcome.tables.push_back({"profiles", profiles_table(fields)});
   if (fields.set_count() > 0 && !fields.values().fibers.distribution.empty())
     outcome.tables.push_back({"histogram", histogram_table(fields, samples)});
   add_places(fields, places, summary);
-  add_sweep(fields, samples, outcome);
+  add_sweep(fields, places, outcome);
   return outcome;
 }
 

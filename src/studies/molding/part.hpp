@@ -7,26 +7,20 @@
 #include <vector>
 
 #include "keys/case_checker.hpp"
-#include "keys/key_table.hpp"
+#include "keys/text_rows.hpp"
 #include "molding/part_shapes.hpp"
 #include "molding/shell_mesh.hpp"
 
 namespace fiberfate {
-
-/// Gives a region of a part a thickness of its own.
-struct RegionThickness {
-  std::string region;
-  double thickness = 0;  ///< m
-};
 
 /// The keys of [part]: a drawing, or a file, and the thickness of its walls.
 struct PartChoices : PartOutline {
   std::string file;
   double file_unit = 1e-3;                   ///< length of one unit of the file, m
   Junctions junctions = Junctions::refused;  ///< in that file
-  std::vector<RegionThickness> thicknesses;
-  std::string thickness_file;  ///< table of elements of that file and their thicknesses
-  std::string thickness_data;  ///< name of such data in that file
+  std::vector<NamedNumbers> thicknesses;     ///< of regions, one each, m
+  std::string thickness_file;                ///< table of elements of that file and their thicknesses
+  std::string thickness_data;                ///< name of such data in that file
   std::vector<std::vector<double>> thickness_profile;  ///< rows (x m, factor on the thickness)
   double fan_thickness = 3e-3;                         ///< at its entry, m
 };

@@ -1,19 +1,9 @@
 // Takes properties from a case and makes frames of them.
 #include "studies/molding/properties.hpp"
 
+#include "studies/molding/frames.hpp"
+
 namespace fiberfate {
-namespace {
-
-FrameArray triangle_array(const char* name, const char* unit,
-                          const std::vector<TriangleProperties>& properties,
-                          double (*value)(const TriangleProperties&)) {
-  std::vector<float> numbers;
-  for (const TriangleProperties& one : properties) numbers.push_back(static_cast<float>(value(one)));
-  return {name, unit, 1, std::move(numbers)};
-}
-
-}  // namespace
-
 bool has_properties(const MoldingCase& values) {
   const MoldingFiberChoices& fibers = values.fibers;
   return !values.orientation.name.empty() &&
@@ -21,33 +11,26 @@ bool has_properties(const MoldingCase& values) {
 }
 
 PartSolid solid_of(const MoldingCase& values) {
-  PartSolid solid;
-  solid.composite.fiber = values.composite.fiber;
-  solid.composite.matrix = values.composite.matrix;
-  solid.composite.fiber_expansion = values.composite.fiber_expansion;
-  solid.composite.matrix_expansion = values.composite.matrix_expansion;
-  solid.composite.volume_fraction = values.fibers.volume_fraction;
-  solid.model = values.composite.model;
-  solid.fiber_diameter = values.fibers.diameter;
-  return solid;
+  const CompositeChoices& composite = values.composite;
+  return {{.fiber = composite.fiber,
+           .matrix = composite.matrix,
+           .fiber_expansion = composite.fiber_expansion,
+           .matrix_expansion = composite.matrix_expansion,
+           .volume_fraction = values.fibers.volume_fraction},
+          composite.model,
+          values.fibers.diameter};
 }
 
 PolyFrame properties_frame(const Filling& filling, const std::vector<TriangleProperties>& properties) {
-  const Shell& shell = filling.mesh().shell();
-  PolyFrame frame;
-  frame.time = filling.state().time;
-  frame.shape = CellShape::polygon;
-  frame.offsets = {0};
-  for (const Vec3& node : shell.nodes) frame.points.insert(frame.points.end(), node.data(), node.data() + 3);
+  PolyFrame frame = shell_frame(filling);
   std::vector<float> direction;
-  for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
-    frame.connectivity.insert(frame.connectivity.end(), shell.triangles[t].begin(), shell.triangles[t].end());
-    frame.offsets.push_back(static_cast<std::int64_t>(frame.connectivity.size()));
-    for (int k = 0; k < 3; ++k) direction.push_back(static_cast<float>(properties[t].axes(k, 0)));
-  }
+  for (const TriangleProperties& one : properties)
+    for (int k = 0; k < 3; ++k) direction.push_back(static_cast<float>(one.axes(k, 0)));
   using Properties = const TriangleProperties&;
   const auto add = [&](const char* name, const char* unit, double (*value)(Properties)) {
-    frame.cell_data.push_back(triangle_array(name, unit, properties, value));
+    std::vector<float> numbers;
+    for (Properties one : properties) numbers.push_back(static_cast<float>(value(one)));
+    frame.cell_data.push_back({name, unit, 1, std::move(numbers)});
   };
   frame.cell_data.push_back({"axis_1", "1", 3, std::move(direction)});
   add("E_1", "Pa", [](Properties one) { return one.constants.e1; });

@@ -1,37 +1,23 @@
-// Builds the report of the study molding from the files of its result folder.
+// The report of the study molding from the files of its result folder.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "io/csv_table.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "studies/law_facts.hpp"
+#include "studies/molding/gates.hpp"
+#include "studies/molding/observables.hpp"
+#include "studies/molding/part_section.hpp"
 #include "studies/molding/run.hpp"
 #include "studies/molding/sections.hpp"
 
 namespace fiberfate {
 namespace {
 
-const char* part_name(PartKind kind) {
-  switch (kind) {
-    case PartKind::file:
-      return "from a file";
-    case PartKind::plaque:
-      return "plaque";
-    case PartKind::disc:
-      return "disc";
-    case PartKind::frame:
-      return "frame";
-    case PartKind::ribbed:
-      return "ribbed plate";
-    case PartKind::tailgate:
-      return "tailgate";
-  }
-  return "";
-}
+/// In the order of PartKind.
+constexpr const char* part_names[] = {"from a file", "plaque", "disc", "frame", "ribbed plate", "tailgate"};
 
 FactsSection asked(const MoldingCase& values) {
   FactsSection section{"asked", "Inputs", {}};
@@ -39,7 +25,7 @@ FactsSection asked(const MoldingCase& values) {
     section.rows.insert(section.rows.end(), facts.begin(), facts.end());
   };
   section.rows = {
-      {"Part", std::string(part_name(values.part.kind))},
+      {"Part", std::string(part_names[static_cast<std::size_t>(values.part.kind)])},
       values.part.thickness ? Fact{"Thickness", *values.part.thickness, "m"}
                             : Fact{"Thickness", std::string("by element")},
       {"Melt", values.machine.melt_temperature, "K"},
@@ -86,22 +72,22 @@ FactsSection effort(const SummaryFile& summary) {
            {"Largest memory", summary.number("peak_memory_bytes") / 1048576, "MiB"}}};
 }
 
-/// Draws the pressures at sprue and gates, or the flow rates.
-LinesSection gate_section(const std::string& id, const std::string& title, const ReportAxis& y,
-                          const std::string& ending, const CsvTable& series) {
-  LinesSection section{id, title, {"time", "s"}, y, series.column("time_s"), {}};
-  for (std::size_t i = 0; i < series.columns.size(); ++i) {
-    const std::string& column = series.columns[i];
-    if (!column.ends_with(ending)) continue;
-    const std::string label = column.substr(0, column.size() - ending.size());
-    const bool whole = label == "sprue" || label == "flow";
-    std::vector<double> numbers = series.values[i];
-    if (y.unit == "cm^3/s")
-      for (double& number : numbers) number *= 1e6;
-    section.series.push_back({label == "flow" ? "machine" : label, std::move(numbers),
-                              whole ? CurveStyle::line : CurveStyle::dashed});
+/// Draws pressures, flow rates and the filled share over time.
+void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<ReportSection>& sections) {
+  const std::vector<Gate> gates = gates_of(values.gates, part_around(values.part));
+  for (LinesSection& chart : draw(filling_charts(), filling_observables(gates), series)) {
+    if (chart.id == "pressure")
+      chart.caption =
+          "Once the volume of the cavity is in, the sprue keeps the machine's last pressure, and those of "
+          "the "
+          "gates are what still moves melt to the last free places.";
+    if (chart.y.unit == "m3/s") {
+      chart.y.unit = "cm^3/s";
+      for (ReportSeries& curve : chart.series)
+        for (double& rate : curve.values) rate *= 1e6;
+    }
+    sections.emplace_back(std::move(chart));
   }
-  return section;
 }
 
 void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vector<ReportSection>& sections) {
@@ -127,25 +113,11 @@ ReportDocument report_molding(const MoldingCase& values, const ResultFolder& fol
   ReportDocument document;
   document.title = "Mold filling";
   const SummaryFile summary(folder.summary());
-  const CsvTable series = read_csv(folder.series());
   document.stop_reason = summary.text("stop_reason");
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(summary));
   document.sections.emplace_back(part_section(values, folder));
-  LinesSection pressures =
-      gate_section("pressure", "Pressure at sprue and gates", {"pressure", "Pa"}, "_pressure_Pa", series);
-  pressures.caption =
-      "Once the volume of the cavity is in, the sprue keeps the machine's last pressure, and those of the "
-      "gates are what still moves melt to the last free places.";
-  document.sections.emplace_back(std::move(pressures));
-  document.sections.emplace_back(
-      gate_section("rate", "Flow rates", {"flow rate", "cm^3/s"}, "_rate_m3_per_s", series));
-  document.sections.emplace_back(LinesSection{"filled",
-                                              "Filled share of the cavity",
-                                              {"time", "s"},
-                                              {"filled"},
-                                              series.column("time_s"),
-                                              {{"filled", series.column("filled_fraction")}}});
+  add_charts(values, read_csv(folder.series()), document.sections);
   add_tables(values, folder, document.sections);
   document.sections.emplace_back(effort(summary));
   return document;

@@ -7,8 +7,10 @@
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "io/atomic_file.hpp"
 #include "studies/molding/checkpoint.hpp"
 #include "studies/molding/frames.hpp"
+#include "studies/molding/observables.hpp"
 #include "studies/molding/outcome.hpp"
 #include "studies/molding/properties.hpp"
 
@@ -24,16 +26,8 @@ class MoldingRun {
 
  private:
   [[nodiscard]] std::optional<StopReason> reason_to_stop(std::int64_t first_step) const;
-  /// Where a step began: pressures and rates of the state after it are those that held from there on.
-  struct Moment {
-    double time = 0;             ///< s
-    double filled_fraction = 0;  ///< 1
-    double injected_volume = 0;  ///< m³
-  };
-  [[nodiscard]] Moment moment() const;
-  void after_step(const Moment& begin);
-  void append_row(const Moment& at);
-  void append_frame();
+  void after_step(const FillingMoment& begin);
+  void append_row(const FillingMoment& at) { series_->append(measure(observables_, at)); }
   [[nodiscard]] MoldingRecord record() const;
   [[nodiscard]] MoldingCheckpoint checkpoint() const {
     return {filling_.mesh().shell(), filling_.state(), record()};
@@ -49,21 +43,12 @@ class MoldingRun {
   Filling filling_;
   MoldingFields fields_;
   MoldingRecord before_;
+  Observables<FillingMoment> observables_;
   std::unique_ptr<RowSink> series_;
   std::unique_ptr<FrameSink> frames_;
   double greatest_pressure_;
   double last_checkpoint_ = wall_seconds();
 };
-
-std::vector<std::string> series_columns(const std::vector<Gate>& gates) {
-  std::vector<std::string> columns = {"time_s", "filled_fraction", "flow_rate_m3_per_s", "sprue_pressure_Pa",
-                                      "injected_volume_m3"};
-  for (const Gate& gate : gates) {
-    columns.push_back(gate.name + "_pressure_Pa");
-    columns.push_back(gate.name + "_rate_m3_per_s");
-  }
-  return columns;
-}
 
 MoldingRun::MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
                        const MoldingRecord& before)
@@ -73,8 +58,8 @@ MoldingRun::MoldingRun(const MoldingCase& values, Session& session, MoldingSetup
       filling_(std::move(filling)),
       fields_(values_, setup_, filling_),
       before_(before),
-      series_(
-          session.recorder().open_rows("series", series_columns(setup_.params.gates), before.series_rows)),
+      observables_(filling_observables(setup_.params.gates)),
+      series_(session.recorder().open_rows("series", columns_of(observables_), before.series_rows)),
       frames_(session.recorder().open_frames("result", before.frames)),
       greatest_pressure_(before.greatest_pressure) {}
 
@@ -83,7 +68,7 @@ Outcome MoldingRun::run() {
   try {
     for (;;) {
       if (const auto reason = reason_to_stop(first_step)) return finish(*reason);
-      const Moment begin = moment();
+      const FillingMoment begin = moment_of(filling_, greatest_pressure_);
       filling_.advance();
       after_step(begin);
     }
@@ -105,37 +90,18 @@ std::optional<StopReason> MoldingRun::reason_to_stop(std::int64_t first_step) co
   return std::nullopt;
 }
 
-MoldingRun::Moment MoldingRun::moment() const {
-  return {filling_.state().time, filling_.filled_fraction(), filling_.state().injected_volume};
-}
-
-void MoldingRun::after_step(const Moment& begin) {
+void MoldingRun::after_step(const FillingMoment& begin) {
   greatest_pressure_ = std::max(greatest_pressure_, filling_.state().sprue_pressure);
   append_row(begin);
-  if (filling_.finished()) append_row(moment());
+  if (filling_.finished()) append_row(moment_of(filling_, greatest_pressure_));
   const auto frame_number = [this](double filled) {
     return static_cast<std::int64_t>(filled * static_cast<double>(values_.output.frames));
   };
   if (filling_.finished() || frame_number(filling_.filled_fraction()) > frame_number(begin.filled_fraction))
-    append_frame();
+    frames_->append(
+        part_frame(fields_, frames_->frames() == 0 ? FrameGeometry::own : FrameGeometry::as_before));
   if (wall_seconds() - last_checkpoint_ >= values_.output.checkpoint_interval) write_checkpoint();
   show_progress();
-}
-
-void MoldingRun::append_row(const Moment& at) {
-  const FillingState& state = filling_.state();
-  std::vector<double> row = {at.time, at.filled_fraction, state.flow_rate, state.sprue_pressure,
-                             at.injected_volume};
-  for (const GateState& gate : state.gates) {
-    row.push_back(gate.pressure);
-    row.push_back(gate.rate);
-  }
-  series_->append(row);
-}
-
-void MoldingRun::append_frame() {
-  frames_->append(
-      part_frame(fields_, frames_->frames() == 0 ? FrameGeometry::own : FrameGeometry::as_before));
 }
 
 MoldingRecord MoldingRun::record() const {
@@ -206,17 +172,18 @@ Outcome begin_filling(const MoldingCase& values, Session& session) {
 
 Outcome continue_filling(const MoldingCase& values, Session& session) {
   MoldingCheckpoint from = load_molding(session.recorder());
+  const MoldingRecord before = from.record;
   MoldingSetup setup = molding_setup(values, from.shell);
-  Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
+  Filling filling = filling_from(std::move(from), setup.params);
   if (filling.finished()) session.recorder().warn("the filling is at its end already");
   session.recorder().note(fmt::format("continuing at {:.9g} s", filling.state().time));
-  return MoldingRun(values, session, std::move(setup), std::move(filling), from.record).run();
+  return MoldingRun(values, session, std::move(setup), std::move(filling), before).run();
 }
 
 }  // namespace
 
 Outcome compute_molding(const MoldingCase& values, Session& session) {
-  session.use_threads(values.threads);
+  session.use_threads(values.run.threads);
   return session.continues() ? continue_filling(values, session) : begin_filling(values, session);
 }
 
@@ -226,11 +193,11 @@ std::string export_structure(const MoldingCase& values, const ResultFolder& fold
     throw InputError("this result has no stiffness: the case follows no orientation or gives no lengths",
                      "choose a law in [orientation] and give fibers.length");
   MoldingCheckpoint from = load_molding(folder);
-  MoldingSetup setup = molding_setup(values, from.shell);
-  const Filling filling(ShellMesh(std::move(from.shell)), setup.params, std::move(from.state));
+  const MoldingSetup setup = molding_setup(values, from.shell);
+  const Filling filling = filling_from(std::move(from), setup.params);
   const MoldingFields fields(values, setup, filling);
   const std::string path = out + "/part.inp";
-  write_structural_input(path, filling.mesh().shell(), plies(fields, solid_of(values)), solver);
+  replace_file(path, structural_input(filling.mesh().shell(), plies(fields, solid_of(values)), solver));
   return path;
 }
 

@@ -1,8 +1,8 @@
 // Runs the study molding.
 #pragma once
 
+#include "molding/structural_input.hpp"
 #include "studies/molding/case.hpp"
-#include "studies/molding/properties.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {

@@ -1,18 +1,14 @@
-// Builds the sections of a molding report: the part in space, places, profiles across the gap, the sweep.
+// The charts and tables of a molding report that come of places, profiles and the sweep.
 #pragma once
 
 #include <vector>
 
 #include "io/csv_table.hpp"
 #include "results/report_document.hpp"
-#include "results/result_folder.hpp"
 #include "results/summary.hpp"
 #include "studies/molding/case.hpp"
 
 namespace fiberfate {
-
-/// Shows the part while it fills, from result.vtkhdf and the last checkpoint's shell; raises StorageError.
-[[nodiscard]] ShellSection part_section(const MoldingCase& values, const ResultFolder& folder);
 
 /// Lists fill time, temperature and lengths at the named places.
 [[nodiscard]] TableSection places_section(const MoldingCase& values, const CsvTable& places);

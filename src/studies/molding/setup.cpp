@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "calibration/sweep.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/length_classes.hpp"
 #include "continuum/length_registry.hpp"
@@ -18,17 +19,6 @@ namespace fiberfate {
 namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-double volume_of(const Shell& shell) {
-  double volume = 0;
-  for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
-    const auto at = [&](std::size_t k) {
-      return shell.nodes[static_cast<std::size_t>(shell.triangles[t][k])];
-    };
-    volume += 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm() * shell.thickness[t];
-  }
-  return volume;
-}
 
 /// Makes the profile of rows (at, rate), or with a barrel the rates of ram speeds.
 FlowProfile profile_of(const std::vector<std::vector<double>>& rows, ProfileAgainst against,
@@ -94,7 +84,9 @@ void add_length_sets(const MoldingCase& values, MoldingSetup& setup) {
   std::vector<LengthSet>& sets = setup.params.fibers.length_sets;
   if (values.law.name.empty()) return;
   sets.push_back({values.law.name, length_law(values.law)});
-  setup.sweep_values = sweep_values(values.sweep);
+  if (const MoldingSweep& sweep = values.sweep; !sweep.parameter.empty())
+    setup.sweep_values = swept_values({0, sweep.lower.value_or(0), sweep.upper.value_or(0),
+                                       static_cast<std::size_t>(sweep.count), sweep.spacing});
   for (const double value : setup.sweep_values) {
     LawChoice varied = values.law;
     varied.parameters[values.sweep.parameter] = value;
@@ -179,18 +171,6 @@ Vec3 position_of(const NamedPlace& place, const MoldingPart& part) {
         fmt::format("place \"{}\" has two coordinates, but a part from a file lies in space", place.name),
         "give x, y and z");
   return part.place({x[0], x[1]});
-}
-
-std::vector<double> sweep_values(const MoldingSweep& sweep) {
-  std::vector<double> values;
-  if (sweep.parameter.empty() || !sweep.lower || !sweep.upper) return values;
-  for (std::int64_t i = 0; i < sweep.count; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(sweep.count - 1);
-    values.push_back(sweep.spacing == ParameterScale::linear
-                         ? std::lerp(*sweep.lower, *sweep.upper, share)
-                         : *sweep.lower * std::pow(*sweep.upper / *sweep.lower, share));
-  }
-  return values;
 }
 
 MoldingSetup molding_setup(const MoldingCase& values) {

@@ -26,7 +26,4 @@ struct MoldingSetup {
 /// Finds where a named place is, m; raises InputError for flat coordinates on a part that has none.
 [[nodiscard]] Vec3 position_of(const NamedPlace& place, const MoldingPart& part);
 
-/// The values of a sweep; empty without one.
-[[nodiscard]] std::vector<double> sweep_values(const MoldingSweep& sweep);
-
 }  // namespace fiberfate

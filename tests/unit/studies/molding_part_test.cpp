@@ -35,7 +35,7 @@ TEST(MoldingPart, HasTheVolumeOfItsDrawing) {
   EXPECT_NEAR(volume(frame), (0.1 * 0.04 - 0.03 * 0.02) * 2e-3, 1e-18);
   PartChoices ribbed = plaque();
   ribbed.kind = PartKind::ribbed;
-  ribbed.thicknesses = {{"rib", 1e-3}};
+  ribbed.thicknesses = {{"rib", {1e-3}}};
   ribbed.rib_height = 0.01;
   EXPECT_NEAR(volume(ribbed), 0.1 * 0.04 * 2e-3 + 2 * 0.08 * 0.01 * 1e-3, 1e-18);
 }
@@ -101,7 +101,7 @@ TEST(MoldingPart, FollowsAThicknessProfile) {
 
 TEST(MoldingPart, RefusesRegionsThatItDoesNotHave) {
   PartChoices part = plaque();
-  part.thicknesses = {{"rib", 1e-3}};
+  part.thicknesses = {{"rib", {1e-3}}};
   EXPECT_THROW((void)make_part(part), InputError);
 }
 

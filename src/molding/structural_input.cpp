@@ -1,13 +1,12 @@
-// Writes parts with their properties for structural solvers. Source: CalculiX CrunchiX user's manual 2.20 and
-// Abaqus keywords: *ORIENTATION, *ELASTIC (TYPE=ENGINEERING CONSTANTS), *EXPANSION (TYPE=ORTHO), *SHELL
-// SECTION (COMPOSITE).
+// Parts with their properties in the language of structural solvers. Source: CalculiX CrunchiX user's
+// manual 2.20 and Abaqus keywords: *ORIENTATION, *ELASTIC (TYPE=ENGINEERING CONSTANTS), *EXPANSION
+// (TYPE=ORTHO), *SHELL SECTION (COMPOSITE).
+#include "molding/structural_input.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>
 #include <map>
-
-#include "io/atomic_file.hpp"
-#include "studies/molding/properties.hpp"
 
 namespace fiberfate {
 namespace {
@@ -91,8 +90,7 @@ void append_elements(std::string& text, const Shell& shell, StructuralSolver sol
 
 }  // namespace
 
-void write_structural_input(const std::string& path, const Shell& shell, const std::vector<Ply>& plies,
-                            StructuralSolver solver) {
+std::string structural_input(const Shell& shell, const std::vector<Ply>& plies, StructuralSolver solver) {
   std::string text = fmt::format(
       "** Written by fiberfate: a molded part, SI units (m, N, Pa, K), for {}.\n"
       "** Every triangle has plies with material axes (1 along most fibers, 2 across, 3 the normal) and "
@@ -106,7 +104,7 @@ void write_structural_input(const std::string& path, const Shell& shell, const s
       append_material(text, ply_name(t, ply), plies[ply].triangles[t]);
     append_section(text, t, plies, shell.thickness[t]);
   }
-  replace_file(path, text);
+  return text;
 }
 
 }  // namespace fiberfate

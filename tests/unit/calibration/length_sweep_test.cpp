@@ -1,5 +1,5 @@
 // Tests the optimum of a sweep against lengths that are known functions of the parameter.
-#include "studies/molding/sweep.hpp"
+#include "calibration/length_sweep.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ SweptLength swept_length(double strain, std::initializer_list<double> errors) {
   return length;
 }
 
-TEST(MoldingSweep, FindsTheValueThatMeasurementsWithoutNoiseCameFrom) {
+TEST(LengthSweep, FindsTheValueThatMeasurementsWithoutNoiseCameFrom) {
   const SweepOutcome outcome = evaluate_sweep(
       swept_values(), {swept_length(300, {0}), swept_length(600, {0}), swept_length(1000, {0})});
   // The spline through 15 values and the grid of 200 places between two of them: 1e-3 of the value.
@@ -40,7 +40,7 @@ TEST(MoldingSweep, FindsTheValueThatMeasurementsWithoutNoiseCameFrom) {
   for (const double error : outcome.errors) EXPECT_GE(error, outcome.best_error);
 }
 
-TEST(MoldingSweep, TellsTheAverageErrorOfTheThesis) {
+TEST(LengthSweep, TellsTheAverageErrorOfTheThesis) {
   // Samples of one place are averaged before they are compared.
   const SweptLength one = swept_length(600, {0.15, 0.35});
   const double measured = 1.25 * length_at(true_value, 600);
@@ -49,7 +49,7 @@ TEST(MoldingSweep, TellsTheAverageErrorOfTheThesis) {
     EXPECT_NEAR(outcome.errors[i], 100 * std::abs(one.predicted[i] - measured) / measured, 1e-9);
 }
 
-TEST(MoldingSweep, TellsHowWellTheValueIsKnown) {
+TEST(LengthSweep, TellsHowWellTheValueIsKnown) {
   // Two measurements of one place with errors of +e and -e: the scatter is sqrt(2) e with one degree of
   // freedom, and the standard error of ln(xi) is the scatter over the root of the summed squares of d ln L /
   // d ln xi.

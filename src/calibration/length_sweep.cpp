@@ -1,5 +1,5 @@
 // Finds the best value of a swept parameter.
-#include "studies/molding/sweep.hpp"
+#include "calibration/length_sweep.hpp"
 
 #include <algorithm>
 #include <cassert>
