@@ -125,7 +125,7 @@ checks every nanosecond | breakage.law=fixed ; breakage.check_interval=1 ns ; ru
 every hinge breaks | breakage.law=fixed ; breakage.critical_radius=1 m
 steep probability | breakage.law=probability ; breakage.exponent=700
 radii that nearly agree | breakage.law=probability ; breakage.minimum_radius=200 um ; breakage.maximum_radius=200.0001 um
-narrow walls | boundary.y=walls ; cell.size=["0.5 mm", "0.08 mm", "0.5 mm"] ; fibers.count=4
+narrow walls | boundary.y=walls ; cell.size=["0.5 mm", "0.08 mm", "0.5 mm"] ; fibers.count=4 ; cluster.orientation=[0.7, 0, 0.3]
 a flat cell | cell.size=["0.5 mm", "0.5 mm", "0.08 mm"] ; fibers.count=4
 ramp of a million steps | flow.kind=ramp ; flow.ramp_steps=1000000 ; flow.ramp_duration=5 ms
 a flow that stops and turns on | flow.kind=table ; flow.table=[["1 ms","200 1/s","200 Pa s"],["2 ms","0 1/s","200 Pa s"],["9 ms","1e4 1/s","1e-3 Pa s"]]
