@@ -106,7 +106,9 @@ LinesSection gate_section(const std::string& id, const std::string& title, const
 
 void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vector<ReportSection>& sections) {
   const auto table = [&folder](const char* name) -> std::optional<CsvTable> {
-    if (!std::filesystem::exists(folder.file(name))) return std::nullopt;
+    // The summary is written last: without it, tables may lack.
+    if (!std::filesystem::exists(folder.summary()) || !std::filesystem::exists(folder.file(name)))
+      return std::nullopt;
     return read_csv(folder.file(name));
   };
   if (const auto places = table("places.csv")) sections.emplace_back(places_section(values, *places));
@@ -126,11 +128,15 @@ void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vect
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Mold filling";
-  const SummaryFile summary(folder.summary());
-  const CsvTable series = read_csv(folder.series());
-  document.stop_reason = summary.text("stop_reason");
+  document.stop_reason = "unfinished";
   document.sections.emplace_back(asked(values));
-  document.sections.emplace_back(came_out(summary));
+  const bool finished = std::filesystem::exists(folder.summary());
+  if (finished) {
+    const SummaryFile summary(folder.summary());
+    document.stop_reason = summary.text("stop_reason");
+    document.sections.emplace_back(came_out(summary));
+  }
+  const CsvTable series = read_csv(folder.series());
   document.sections.emplace_back(part_section(values, folder));
   LinesSection pressures =
       gate_section("pressure", "Pressure at sprue and gates", {"pressure", "Pa"}, "_pressure_Pa", series);
@@ -147,7 +153,7 @@ ReportDocument report_molding(const MoldingCase& values, const ResultFolder& fol
                                               series.column("time_s"),
                                               {{"filled", series.column("filled_fraction")}}});
   add_tables(values, folder, document.sections);
-  document.sections.emplace_back(effort(summary));
+  if (finished) document.sections.emplace_back(effort(SummaryFile(folder.summary())));
   return document;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "io/vtkhdf_file.hpp"
 #include "results/fiber_frame.hpp"
@@ -132,7 +133,8 @@ ShellSection part_section(const MoldingCase& values, const ResultFolder& folder)
     }
   }
   add_orientation(last, section);
-  add_last_state(values, folder, section);
+  // A run that was killed may have none yet.
+  if (std::filesystem::exists(folder.checkpoint())) add_last_state(values, folder, section);
   add_stiffness_axes(folder, section);
   section.caption =
       "Values between the frames are interpolated; temperature, length and orientation are means over the "
