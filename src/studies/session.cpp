@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <system_error>
+#include <exception>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -20,9 +20,10 @@ namespace {
 int startable_threads(int wanted) {
   std::atomic<bool> over = false;
   std::vector<std::thread> threads;
+  threads.reserve(static_cast<std::size_t>(wanted));
   try {
     while (static_cast<int>(threads.size()) + 1 < wanted) threads.emplace_back([&over] { over.wait(false); });
-  } catch (const std::system_error&) {
+  } catch (const std::exception&) {  // std::system_error, or no memory for it
   }
   over = true;
   over.notify_all();

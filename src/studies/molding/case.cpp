@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
+#include "continuum/attrition_law.hpp"
 #include "molding/filling.hpp"
 #include "molding/gate_nodes.hpp"
 #include "molding/mesh_quality.hpp"
