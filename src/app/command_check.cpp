@@ -6,20 +6,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "base/memory.hpp"
 #include "keys/case_file.hpp"
 
 namespace fiberfate {
 namespace {
 
-std::string memory_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("about {:.0f} MB", bytes / 1e6)
-                     : fmt::format("about {:.1f} GB", bytes / 1e9);
-}
-
 std::string duration_text(double seconds) {
-  if (seconds < 1) return "less than a second";
+  if (std::isnan(seconds)) return "unknown";
+  if (seconds < 0.1) return "less than 0.1 s";
+  if (seconds < 10) return fmt::format("about {:.2g} s", seconds);
   if (seconds < 120) return fmt::format("about {:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("about {:.0f} min", seconds / 60);
   if (seconds < 172800) return fmt::format("about {:.0f} h", seconds / 3600);
@@ -38,6 +37,9 @@ int run_check(const CheckOptions& options) {
   for (const auto& [name, value] : estimate.facts) width = std::max(width, name.size());
 
   for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  if (const double free = free_memory_bytes(); estimate.memory_bytes > free)
+    fmt::print(stderr, "warning: the case takes {} of memory, and {} are free\n",
+               memory_text(estimate.memory_bytes), memory_text(free));
   fmt::print("{}\n# What follows from it:\n", resolved_case(*loaded.kind, loaded.values));
   for (const auto& [name, value] : estimate.facts) fmt::print("#   {:<{}}  {}\n", name, width, value);
   return 0;

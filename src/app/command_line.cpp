@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/command_check.hpp"
@@ -23,9 +26,11 @@
 #include "app/environment.hpp"
 #include "app/exit_status.hpp"
 #include "app/gallery.hpp"
+#include "app/last_words.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "io/disk_faults.hpp"
 
 namespace fiberfate {
 namespace {
@@ -287,6 +292,9 @@ int run_command_line(int argument_count, const char* const* arguments) {
     }
     check_environment();
     app.parse(argument_count, arguments);
+    // What is still to be printed may not fit on a full disk.
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "cannot write the output");
     return commands.status;
   } catch (const CLI::Success& answer) {  // --help, --version
     return app.exit(answer);
@@ -302,10 +310,18 @@ int run_command_line(int argument_count, const char* const* arguments) {
     return report_error(ExitStatus::failed, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     // A closed folder, a link that leads back to itself, a name that is too long.
-    return report_error(ExitStatus::bad_input, fmt::format("{}: {}: check the path", error.path1().string(),
-                                                           error.code().message()));
+    const int reason = error.code().value();
+    const bool full = reason == ENOSPC || reason == EDQUOT;
+    return report_error(
+        full ? ExitStatus::failed : ExitStatus::bad_input,
+        fmt::format("{}: {}{}", error.path1().string(), reason_text(reason), full ? "" : ": check the path"));
   } catch (const std::bad_alloc&) {
-    return report_error(ExitStatus::failed, "out of memory: 'fiberfate check' tells what a case needs");
+    return report_error(ExitStatus::failed, out_of_memory);
+  } catch (const std::length_error&) {  // more than any machine has
+    return report_error(ExitStatus::failed, out_of_memory);
+  } catch (const std::system_error& error) {  // of the standard streams
+    return report_error(ExitStatus::failed,
+                        fmt::format("cannot write the output: {}", reason_text(error.code().value())));
   } catch (const std::exception& error) {
     return report_error(ExitStatus::failed, fmt::format("an error of the program itself: {}", error.what()));
   }

@@ -29,6 +29,9 @@ std::string folder_name(const std::string& path) {
 int run_report(const ReportOptions& options) {
   const ResultFolder folder = ResultFolder::open(options.folder);
   const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
+  if (!std::filesystem::exists(folder.summary()) && !std::filesystem::exists(folder.frames()))
+    throw InputError(folder.path() + " has nothing to show: the run ended before its first result",
+                     "continue it with 'fiberfate resume', or run the case again");
   ReportDocument document = study_of(loaded).report(loaded.values, folder);
   document.case_name = folder_name(folder.path());
   document.study = loaded.kind->name;

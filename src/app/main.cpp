@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "app/command_line.hpp"
+#include "app/last_words.hpp"
 #include "app/thread_waiting.hpp"
+#include "base/memory.hpp"
 
 namespace {
 
@@ -23,6 +25,8 @@ int main(int argument_count, char** arguments) {
   open_closed_streams();
   // A file that grows beyond its limit becomes an error of the write instead of a signal.
   std::signal(SIGXFSZ, SIG_IGN);
+  fiberfate::bound_memory();
+  fiberfate::tell_last_words();
   fiberfate::let_waiting_threads_sleep(arguments);
   return fiberfate::run_command_line(argument_count, arguments);
 }

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/disk_faults.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -38,6 +40,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t count) {
   while (count > 0) {
     const ssize_t written = ::write(descriptor, bytes, count);
     if (written < 0 && errno == EINTR) continue;
+    if (written == 0) errno = ENOSPC;
     if (written <= 0) return false;
     bytes += written;
     count -= static_cast<std::size_t>(written);
@@ -55,7 +58,7 @@ void sync_folder_of(const std::string& path) {
 }  // namespace
 
 StorageError storage_error(std::string_view action, const std::string& path) {
-  return StorageError(fmt::format("{} {}: {}", action, path, std::strerror(errno)));
+  return StorageError(fmt::format("{} {}: {}", action, path, reason_text(errno)));
 }
 
 void replace_file(const std::string& path, std::string_view text) {
@@ -103,7 +106,7 @@ void rename_file(const std::string& from, const std::string& to) {
 void copy_file(const std::string& from, const std::string& to) {
   std::error_code reason;
   std::filesystem::copy_file(from, to, reason);
-  if (reason) throw StorageError(fmt::format("cannot write {}: {}", to, reason.message()));
+  if (reason) throw StorageError(fmt::format("cannot write {}: {}", to, reason_text(reason.value())));
 }
 
 void cut_file(const std::string& path, std::size_t bytes) {

@@ -13,10 +13,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <new>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "io/byte_stream.hpp"
 
 namespace fiberfate {
@@ -24,21 +24,6 @@ namespace {
 
 /// What an answer of the child holds: its first byte.
 enum class Answer : char { result, input_error, failure };
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool has_shadow_memory = true;  // a sanitizer's, larger than any limit
-#elif defined(__has_feature)
-constexpr bool has_shadow_memory = __has_feature(address_sanitizer) || __has_feature(thread_sanitizer);
-#else
-constexpr bool has_shadow_memory = false;
-#endif
-
-/// How much address space this process holds.
-std::uint64_t held_memory() {
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
 
 void limit(__rlimit_resource resource, std::uint64_t most) {
   rlimit now{};
@@ -55,7 +40,7 @@ void settle(const ChildLimits& limits) {
   for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(number, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(limits.processor_seconds)));
-  if (!has_shadow_memory) limit(RLIMIT_AS, held_memory() + limits.memory_bytes);
+  if (!has_shadow_memory) limit(RLIMIT_AS, held_address_space() + limits.memory_bytes);
   const int nowhere = ::open("/dev/null", O_RDWR);
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
 }

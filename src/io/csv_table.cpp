@@ -95,7 +95,8 @@ const std::vector<double>& CsvTable::column(const std::string& name) const {
 
 CsvTable read_csv(const std::string& path) {
   const std::string text = read_file(path);
-  std::string_view rest = text;
+  // A row without an end is one that a killed run or a full disk left half written.
+  std::string_view rest = std::string_view(text).substr(0, text.rfind('\n') + 1);
   CsvTable table;
   for (int line = 1; !rest.empty(); ++line) {
     const std::string_view row = rest.substr(0, rest.find('\n'));

@@ -5,11 +5,17 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 
 namespace fiberfate {
 namespace {
 
+/// Address space that the library and those that it loads take; with less they crash as they begin.
+constexpr double library_bytes = 150e6;
+
 void* open_library() {
+  require_memory(library_bytes,
+                 "allow more (ulimit -v): that is Gmsh's library, which meshes and reads parts");
   // The version that this program was built with, else any.
   for (const char* name : {FIBERFATE_GMSH_LIBRARY, "libgmsh.so"})
     if (void* handle = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return handle;

@@ -156,7 +156,9 @@ bool Hdf5File::contains(const std::string& name) const {
 
 std::uint64_t Hdf5File::rows(const std::string& name) const {
   const Hdf5Action action{"cannot read", path_, name};
-  return Lengths(open_dataset(id_, action), action).lengths[0];
+  const auto [rows, columns] = Lengths(open_dataset(id_, action), action).lengths;
+  require_stored(id_, columns > 0 && rows > any_size / columns ? any_size : rows * columns, action);
+  return rows;
 }
 
 std::uint64_t Hdf5File::columns(const std::string& name) const {

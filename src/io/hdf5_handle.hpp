@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -19,6 +20,10 @@ struct Hdf5Action {
 
 /// Makes the error of a failed call: action, place, and the innermost reason that the library gives.
 [[nodiscard]] StorageError hdf5_error(const Hdf5Action& action);
+
+/// Raises StorageError where a file is too small to hold so many bytes, even if they are compressed: damage
+/// must not ask for more memory than a file is worth.
+void require_stored(hid_t file, std::uint64_t bytes, const Hdf5Action& action);
 
 /// Raises the error of a call that returned a negative value; hands other values through.
 template <class Result>

@@ -1,4 +1,9 @@
 // Stores texts in HDF5 files and explains the library's errors.
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+
+#include "io/disk_faults.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/hdf5_handle.hpp"
 
@@ -14,13 +19,12 @@ Hdf5Handle text_type(const std::string& text, const Hdf5Action& action) {
   return type;
 }
 
-/// Shortens a reason of the file driver, "…, errno = 28, error message = 'No space left on device', …".
-std::string essence(const std::string& reason) {
-  static const std::string mark = "error message = '";
+/// The error number in a reason of the file driver, "…, errno = 28, error message = 'No space left on
+/// device', …"; 0 where there is none.
+int error_number_in(const std::string& reason) {
+  static const std::string mark = "errno = ";
   const std::size_t begin = reason.find(mark);
-  if (begin == std::string::npos) return reason;
-  const std::size_t end = reason.find('\'', begin + mark.size());
-  return reason.substr(begin + mark.size(), end - begin - mark.size());
+  return begin == std::string::npos ? 0 : std::atoi(reason.c_str() + begin + mark.size());
 }
 
 std::string innermost_reason() {
@@ -31,7 +35,7 @@ std::string innermost_reason() {
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take_first, &reason);
-  return reason.empty() ? "the HDF5 library gives no reason" : essence(reason);
+  return reason.empty() ? "the HDF5 library gives no reason" : reason;
 }
 
 }  // namespace
@@ -39,7 +43,21 @@ std::string innermost_reason() {
 StorageError hdf5_error(const Hdf5Action& action) {
   std::string message = std::string(action.doing) + ' ' + action.file;
   if (!action.name.empty() && action.name != action.file) message += " (" + action.name + ')';
-  return StorageError(message + ": " + innermost_reason());
+  const std::string reason = innermost_reason();
+  int number = error_number_in(reason);
+  // Where a dataset fails to write as it is closed, the library tells later, and not why.
+  if (number == 0 && std::string_view(action.doing) != "cannot read" && is_disk_full(action.file))
+    number = ENOSPC;
+  return StorageError(message + ": " + (number != 0 ? reason_text(number) : reason));
+}
+
+void require_stored(hid_t file, std::uint64_t bytes, const Hdf5Action& action) {
+  constexpr std::uint64_t most_inflation = 1032;  // of deflate: no stored byte becomes more
+  hsize_t size = 0;
+  checked(H5Fget_filesize(file, &size), action);
+  if (bytes / most_inflation > size)
+    throw StorageError(std::string(action.doing) + ' ' + action.file + " (" + action.name +
+                       "): it says that it is larger than its file can hold; the file is damaged");
 }
 
 void Hdf5File::write_text(const std::string& name, const std::string& text) {
@@ -55,6 +73,7 @@ std::string Hdf5File::read_text(const std::string& name) const {
   const Hdf5Action action{"cannot read", path_, name};
   const Hdf5Handle dataset(H5Dopen2(id_, name.c_str(), H5P_DEFAULT), H5Dclose, action);
   const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, action);
+  require_stored(id_, H5Tget_size(type), action);
   std::string text(H5Tget_size(type), '\0');
   checked(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), action);
   return text.c_str();
@@ -76,6 +95,7 @@ std::string Hdf5File::read_text_attribute(const std::string& object, const std::
   const Hdf5Handle attribute(H5Aopen_by_name(id_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
                              H5Aclose, action);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, action);
+  require_stored(id_, H5Tget_size(type), action);
   std::string text(H5Tget_size(type), '\0');
   checked(H5Aread(attribute, type, text.data()), action);
   return text.c_str();

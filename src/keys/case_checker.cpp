@@ -14,6 +14,8 @@
 namespace fiberfate {
 namespace {
 
+constexpr std::ptrdiff_t most_told = 100;  // faults of one key
+
 /// Finds the list that a key holds; null when it is not given or holds something else.
 const std::vector<TomlValue>* rows_of(const TomlDocument& document, const std::string& key) {
   const TomlEntry* entry = document.find(key);
@@ -51,7 +53,22 @@ InputProblem CaseChecker::problem(const std::string& key, const std::string& com
   return problem;
 }
 
+void CaseChecker::add(InputProblem found) {
+  const auto same_key = [&found](const InputProblem& one) { return one.key == found.key; };
+  const auto same = [&found](const InputProblem& one) { return one.message() == found.message(); };
+  if (std::any_of(errors_.begin(), errors_.begin() + static_cast<std::ptrdiff_t>(unread_), same_key) ||
+      std::any_of(errors_.begin(), errors_.end(), same) ||
+      std::count_if(errors_.begin(), errors_.end(), same_key) >= most_told)
+    return;
+  errors_.push_back(std::move(found));
+}
+
 void CaseChecker::report_inside(const std::string& key, const InputProblem& found) {
+  if (!found.file.empty()) {
+    InputProblem kept = found;
+    if (kept.key.empty()) kept.key = key;
+    return add(std::move(kept));
+  }
   if (found.key.empty()) return error(key, found.complaint, found.remedy);
   const std::string inside = key + '.' + found.key;
   if (is_given(inside)) return error(inside, found.complaint, found.remedy);
@@ -60,12 +77,11 @@ void CaseChecker::report_inside(const std::string& key, const InputProblem& foun
 }
 
 void CaseChecker::error(const std::string& key, const std::string& complaint, const std::string& remedy) {
-  if (is_sound(key)) errors_.push_back(problem(key, complaint, remedy));
+  add(problem(key, complaint, remedy));
 }
 
 void CaseChecker::error_in_row(const std::string& key, std::size_t row, const std::string& complaint,
                                const std::string& remedy) {
-  if (!is_sound(key)) return;
   InputProblem found = problem(key, complaint, remedy);
   const std::vector<TomlValue>* rows = rows_of(document_, key);
   if (rows != nullptr && row < rows->size()) {
@@ -73,7 +89,7 @@ void CaseChecker::error_in_row(const std::string& key, std::size_t row, const st
     found.column = (*rows)[row].place.column;
     found.value = (*rows)[row].written;
   }
-  errors_.push_back(std::move(found));
+  add(std::move(found));
 }
 
 void CaseChecker::error_in_row(const std::string& key, std::string_view name, const std::string& complaint,

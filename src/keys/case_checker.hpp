@@ -23,13 +23,14 @@ class CaseChecker {
  public:
   /// Takes the document with the errors found so far in reading it.
   CaseChecker(const TomlDocument& document, std::vector<InputProblem> errors, NamedFiles named_files)
-      : document_(document), errors_(std::move(errors)), named_files_(named_files) {}
+      : document_(document), errors_(std::move(errors)), unread_(errors_.size()), named_files_(named_files) {}
 
-  /// Reports an error at a key; where the key is not given, at the file.
+  /// Reports an error at a key; where the key is not given, at the file. Nothing is said of a key that could
+  /// not be read: it stands at its default.
   void error(const std::string& key, const std::string& complaint, const std::string& remedy);
   /// Does the work, reports what it finds wrong (InputError) at a key, and tells whether that is nothing.
   /// Problems that name a parameter ("C_I") are reported at the key inside ("law.C_I") where the case gives
-  /// it.
+  /// it; those with a place in a file of their own keep it.
   template <class Work>
   bool report_at(const std::string& key, const Work& work) {
     try {
@@ -70,11 +71,13 @@ class CaseChecker {
   [[nodiscard]] const std::vector<InputProblem>& warnings() const { return warnings_; }
 
  private:
+  void add(InputProblem found);
   void report_inside(const std::string& key, const InputProblem& found);
   [[nodiscard]] InputProblem problem(const std::string& key, const std::string& complaint,
                                      const std::string& remedy) const;
   const TomlDocument& document_;
   std::vector<InputProblem> errors_;
+  std::size_t unread_;  ///< how many of the errors, from the first, are about what could not be read
   std::vector<InputProblem> warnings_;
   NamedFiles named_files_;
 };

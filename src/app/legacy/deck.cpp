@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -181,6 +182,13 @@ std::string apply_extension(const Translation& deck) {
   return "not used: flow cases 1 and 1848 are simple shear";
 }
 
+std::string apply_recovery(const Translation& deck) {
+  return *deck.namelist.truth("recover_simulation")
+             ? "not used: that program would go on from its own last frame; the fibers are those of "
+               "Initial_Positions.txt"
+             : "not used: 'fiberfate resume' continues a run";
+}
+
 /// The keys in the order in which the notes list them.
 const std::vector<LegacyRule>& rules() {
   using enum Necessity;
@@ -210,7 +218,7 @@ const std::vector<LegacyRule>& rules() {
       unused("distanceFactor",
              "it is the radius of that program's list; its force ends at two radii, as here"),
       {"TensorOrBeads", optional, apply_drag},
-      unused("recover_simulation", "'fiberfate resume' continues a run"),
+      {"recover_simulation", optional, apply_recovery},
       unused("nbr_neighbors", "the list of neighbours has no limit"),
       unused("ratio_displ_max", "the step follows its error, step.tolerance"),
       unused("printVelocities", "result.vtkhdf always holds velocities"),
@@ -258,6 +266,22 @@ void translate_keys(const Translation& deck) {
   if (!problems.empty()) throw InputError(std::move(problems));
 }
 
+/// Moves fibers between walls to where that program has them: its walls stand half a box above and below the
+/// mean of all rods' middles, wherever the positions are; here the lower one is at y = 0.
+LegacyNote centre_between_walls(LegacyDeck& deck) {
+  double sum = 0, rods = 0;
+  for (const LegacyFiber& fiber : deck.fibers)
+    for (std::size_t k = 0; k + 1 < fiber.nodes.size(); ++k, ++rods)
+      sum += 0.5 * (fiber.nodes[k].y() + fiber.nodes[k + 1].y());
+  const double shift = 0.5 * deck.values.sample.cell.size->y() - sum / std::max(rods, 1.0);
+  for (LegacyFiber& fiber : deck.fibers)
+    for (Vec3& node : fiber.nodes) node.y() += shift;
+  return {"Initial_Positions.txt", "",
+          fmt::format(
+              "fibers.csv, moved by {:.6g} m in y: walls stand half a box from the mean of the rods' middles",
+              shift)};
+}
+
 }  // namespace
 
 LegacyDeck read_legacy_deck(const std::string& folder) {
@@ -266,6 +290,9 @@ LegacyDeck read_legacy_deck(const std::string& folder) {
   translate_keys({namelist, folder, deck});
   deck.fibers = read_legacy_positions(folder + "/Initial_Positions.txt");
   deck.values.sample.cluster.source = ClusterSource::file;
+  deck.notes.push_back(deck.values.boundary.y == Boundary::walls
+                           ? centre_between_walls(deck)
+                           : LegacyNote{"Initial_Positions.txt", "", "fibers.csv"});
   std::int64_t held = 0;
   for (const LegacyFiber& fiber : deck.fibers) held += fiber.is_stationary ? 1 : 0;
   deck.notes.push_back(

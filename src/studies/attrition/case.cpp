@@ -1,5 +1,7 @@
 // Checks a case of the study attrition and makes from it what the laws take.
 #include "studies/attrition/case.hpp"
+#include "base/timer.hpp"
+#include "studies/attrition/run.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +9,7 @@
 
 #include "continuum/length_registry.hpp"
 #include "keys/time_rows.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -78,6 +81,14 @@ void validate_attrition(const AttritionCase& values, CaseChecker& checker) {
   validate_times("output.histogram_times", values.output.histogram_times, values.run, checker);
 }
 
+double attrition_bytes(const AttritionCase& values) {
+  constexpr double bytes_a_row = 300;
+  const bool bins = needs_bins(values.law) || needs_bins(values.compared);
+  return static_cast<double>(peak_memory_bytes()) +
+         bytes_a_row * static_cast<double>(output_times(values).size()) +
+         (bins ? PhelpsSolver::memory_bytes(static_cast<std::size_t>(values.fibers.bins)) : 0);
+}
+
 CaseEstimate estimate_attrition(const AttritionCase& values) {
   CaseEstimate estimate;
   const MeltState melt = melt_of(flow_history(values.flow).at(0));
@@ -94,11 +105,9 @@ CaseEstimate estimate_attrition(const AttritionCase& values) {
     estimate.facts.emplace_back("k_f at the start",
                                 fmt::format("{:.6g} 1/s", relaxation->at(flow).rate_constant));
   estimate.facts.emplace_back("rows of series.csv", fmt::format("{}", output_times(values).size()));
-  estimate.memory_bytes = 1e7;
-  if (needs_bins(values.law) || needs_bins(values.compared))
-    estimate.memory_bytes += PhelpsSolver::memory_bytes(static_cast<std::size_t>(values.fibers.bins));
-  estimate.wall_seconds = 1e-4 * static_cast<double>(output_times(values).size());
-  estimate.assumption = "0.1 ms an output";
+  estimate.memory_bytes = attrition_bytes(values);
+  foretell(
+      estimate, [&] { return attrition_seconds(values); }, "from a trial of its beginning");
   return estimate;
 }
 

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/memory.hpp"
 #include "continuum/length_registry.hpp"
 #include "microstructure/length_statistics.hpp"
 #include "studies/attrition/observables.hpp"
 #include "studies/law_facts.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -33,7 +35,12 @@ std::vector<double> histogram_times(const AttritionCase& values) {
   return values.output.histogram_times;
 }
 
-Followed follow(const AttritionCase& values, const LawChoice& choice, const Session& session) {
+/// Ends a trial whose time is used up.
+struct TrialEnd {};
+
+/// Follows one law; in a trial only as far as its time reaches.
+Followed follow(const AttritionCase& values, const LawChoice& choice, const Session* session,
+                Pace* trial = nullptr) {
   const auto law = make_attrition_law(choice.name, law_values(attrition_menu(), choice));
   const auto melt = make_viscosity_law(values.melt.name, law_values(viscosity_menu(), values.melt));
   const FlowHistory history = flow_history(values.flow);
@@ -44,7 +51,7 @@ Followed follow(const AttritionCase& values, const LawChoice& choice, const Sess
   Followed followed;
   double first_number = 1, first_length = 1;
   const auto visit = [&](const LengthSample& sample) {
-    session.end_if_stopped("stopped; resuming begins again");
+    if (session != nullptr) session->end_if_stopped("stopped; resuming begins again");
     followed.moments.push_back(
         {sample.time, sample.melt, sample.viscosity, sample.unbreakable_length, sample.evolution.means()});
     const LengthClasses& population = sample.evolution.population();
@@ -58,7 +65,16 @@ Followed follow(const AttritionCase& values, const LawChoice& choice, const Sess
     if (std::find(counted.begin(), counted.end(), sample.time) != counted.end())
       append_length_shares(followed.histogram, {sample.time}, population, edges);
   };
-  follow_lengths(*law, start, {history, *melt, values.flow.compression}, output_times(values), visit);
+  const auto try_out = [&](const LengthSample& sample) {
+    visit(sample);
+    trial->reached(sample.time / values.run.duration);
+    if (!trial->has_time()) throw TrialEnd{};
+  };
+  const LengthConditions conditions = {history, *melt, values.flow.compression};
+  if (trial != nullptr)
+    follow_lengths(*law, start, conditions, with_early_times(output_times(values)), try_out);
+  else
+    follow_lengths(*law, start, conditions, output_times(values), visit);
   const LengthMoment& last = followed.moments.back();
   const RelaxationLaw* relaxation = law->relaxation();
   followed.rate_constant =
@@ -95,7 +111,7 @@ CsvTable series_of(const AttritionCase& values, const std::vector<LengthMoment>&
 
 void compute_lengths(const AttritionCase& values, const Session& session, Outcome& outcome) {
   RunSummary& summary = outcome.summary;
-  const Followed followed = follow(values, values.law, session);
+  const Followed followed = follow(values, values.law, &session);
   const LengthMoment& last = followed.moments.back();
   append_values(summary, "", values.law, followed);
   summary.number_average = last.means.number_average;
@@ -103,7 +119,7 @@ void compute_lengths(const AttritionCase& values, const Session& session, Outcom
   summarise(length_observables(), last, summary);
   Followed other;
   if (!values.compared.name.empty()) {
-    other = follow(values, values.compared, session);
+    other = follow(values, values.compared, &session);
     append_values(summary, "compared_", values.compared, other);
     outcome.tables.push_back({"histogram_compared", other.histogram});
   }
@@ -112,9 +128,31 @@ void compute_lengths(const AttritionCase& values, const Session& session, Outcom
   outcome.tables.push_back({"histogram", followed.histogram});
 }
 
+/// Foretells the wall seconds that one law takes. The work of Phelps' law grows with the square of its bins.
+double foretell(AttritionCase values, const LawChoice& choice) {
+  constexpr std::int64_t most_bins = 2000;  // that a trial can afford
+  double scale = 1;
+  if (needs_bins(choice) && values.fibers.bins > most_bins) {
+    scale = std::pow(static_cast<double>(values.fibers.bins) / most_bins, 2);
+    values.fibers.bins = most_bins;
+  }
+  Pace trial;
+  try {
+    static_cast<void>(follow(values, choice, nullptr, &trial));
+  } catch (const TrialEnd&) {
+  }
+  return scale * trial.whole();
+}
+
 }  // namespace
 
+double attrition_seconds(const AttritionCase& values) {
+  return foretell(values, values.law) +
+         (values.compared.name.empty() ? 0.0 : foretell(values, values.compared));
+}
+
 Outcome compute_attrition(const AttritionCase& values, Session& session) {
+  require_memory(attrition_bytes(values), "take fewer fibers.bins or rows of output");
   Outcome outcome;
   outcome.summary.simulated_s = values.run.duration;
   compute_lengths(values, session, outcome);

@@ -1,5 +1,6 @@
 // Checks a case of the study calibration.
 #include "studies/calibration/case.hpp"
+#include "studies/calibration/run.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "base/units.hpp"
 #include "studies/calibration/data.hpp"
 #include "studies/calibration/model.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -187,10 +189,9 @@ CaseEstimate estimate_calibration(const CalibrationCase& values) {
                                 fmt::format("{:.6g} 1/s, {:.6g} Pa s, {:.6g} Pa", flow.rate, flow.viscosity,
                                             flow.rate * flow.viscosity));
   }
-  const double fits = static_cast<double>(values.search.starts + values.search.bootstrap) + 20.0;
   estimate.memory_bytes = 2e7;
-  estimate.wall_seconds = 0.02 * fits;
-  estimate.assumption = "20 ms a fit";
+  foretell(
+      estimate, [&] { return calibration_seconds(values); }, "from a trial on this machine");
   return estimate;
 }
 

@@ -8,19 +8,29 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
 #include "calibration/bootstrap.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/prediction_band.hpp"
 #include "calibration/profile.hpp"
 #include "calibration/sweep.hpp"
+#include "results/memory_recorder.hpp"
 #include "studies/calibration/fits.hpp"
 #include "studies/calibration/model.hpp"
 #include "studies/calibration/molds.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t curve_points = 101;
+
+/// Iterations of a search from afar; a bootstrap sample starts from the best fit and takes this share of
+/// them; a profile is so many searches.
+constexpr double fit_iterations = 20, bootstrap_share = 0.3, profile_fits = 10;
+
+/// Ends a trial whose time is used up.
+struct TrialEnd {};
 
 /// The tables of a run, which several fits fill.
 struct Tables {
@@ -56,6 +66,27 @@ class OneFit {
       model(parameters, predictions);
       ++*count;
     };
+  }
+
+  /// Counts the predictions of a trial and ends it when its time is used up.
+  void try_out(const Pace& trial, std::int64_t& predictions) {
+    problem_.model = [model = problem_.model, &trial, &predictions](std::span<const double> parameters,
+                                                                    std::span<double> results) {
+      model(parameters, results);
+      ++predictions;
+      if (!trial.has_time()) throw TrialEnd{};
+    };
+  }
+
+  /// About how many predictions the run makes: searches, profiles, bootstrap samples and sweep, each with the
+  /// differences of a Jacobian. Measured on the cases 21 to 26.
+  [[nodiscard]] double expected_predictions() const {
+    const auto free = static_cast<double>(problem_.free_parameters().size());
+    const double profiles = values_.search.profiles == ProfileChoice::none ? 0 : profile_fits * free;
+    const double fits = static_cast<double>(values_.search.starts) + profiles +
+                        bootstrap_share * static_cast<double>(values_.search.bootstrap);
+    return fits * fit_iterations * (free + 1) +
+           (values_.sweep.parameter.empty() ? 0 : static_cast<double>(values_.sweep.count));
   }
 
   void run(Tables& tables, RunSummary& summary, Recorder& log) {
@@ -262,6 +293,34 @@ std::vector<NamedTable> named(Tables tables) {
 }
 
 }  // namespace
+
+double calibration_seconds(const CalibrationCase& values) {
+  MemoryRecorder recorder;
+  Session(recorder).use_threads(1);
+  const std::vector<MeasuredSeries> series = read_measurements(values);
+  Pace trial(0.2);
+  Tables tables;
+  RunSummary summary;
+  std::int64_t made = 0;
+  double expected = 0;
+  bool finished = true;
+  const double begin = wall_seconds();
+  for (const FitName& name : fit_names(values)) {
+    std::vector<MeasuredSeries> some = series_of(name, series);
+    if (some.empty()) continue;
+    OneFit fit(values, name, std::move(some));
+    expected += fit.expected_predictions();
+    if (!finished) continue;
+    fit.try_out(trial, made);
+    try {
+      fit.run(tables, summary, recorder);
+    } catch (const TrialEnd&) {
+      finished = false;
+    }
+  }
+  const double seconds = wall_seconds() - begin;
+  return finished || made == 0 ? seconds : seconds * std::max(1.0, expected / static_cast<double>(made));
+}
 
 Outcome compute_calibration(const CalibrationCase& values, Session& session) {
   // Fillings use threads; what is fitted at a point is too small to share.

@@ -1,18 +1,17 @@
 // Describes, checks and estimates a case of the study cluster.
 #include "studies/cluster/case.hpp"
 
+#include <utility>
+
 #include "fibers/contact_laws/contact_registry.hpp"
 #include "keys/law_keys.hpp"
+#include "results/memory_recorder.hpp"
+#include "studies/pace.hpp"
+#include "studies/sample/crowd.hpp"
 #include "studies/sample/estimate.hpp"
+#include "studies/sample/start.hpp"
 
 namespace fiberfate {
-namespace {
-
-// Measured on the packings of 620 to 1000 fibers of 25 rods that docs/theory/packing.md lists.
-constexpr double packing_seconds_a_rod = 1e-3;
-
-}  // namespace
-
 void describe_cluster(KeyTable& table, ClusterCase& values) {
   const Choices<Boundary> ends = {{Boundary::periodic, "periodic", "the cell repeats"},
                                   {Boundary::walls, "walls", "solid walls at y = 0 and at the far side"}};
@@ -45,11 +44,33 @@ void validate_cluster(const ClusterCase& values, CaseChecker& checker) {
                   "add duration under [relaxation], or let the cluster be generated");
 }
 
+namespace {
+
+/// Relaxation makes steps of about this length, s; measured on the case 09.
+constexpr double relaxation_step = 1e-4;
+
+double expected_seconds(const ClusterCase& values, const std::optional<SamplePlan>& plan) {
+  MemoryRecorder recorder;
+  Session session(recorder);
+  session.use_threads(values.run.threads);
+  const double relaxation_steps = values.relaxation.duration.value_or(0) / relaxation_step;
+  if (plan) {
+    const double rod_step = seconds_a_rod_step(values.sample, values.contact, values.run.seed);
+    return packing_seconds(*plan, rod_step) + relaxation_steps * static_cast<double>(plan->rods) * rod_step;
+  }
+  FiberState fibers =
+      make_fibers(values.sample, {values.contact, values.boundary.y, values.run.seed}, session).state;
+  const auto rods = static_cast<double>(fibers.rod_count());
+  return relaxation_steps * rods * seconds_a_rod_step(std::move(fibers), values.contact);
+}
+
+}  // namespace
+
 CaseEstimate estimate_cluster(const ClusterCase& values) {
   const auto plan = plan_sample(values.sample, values.run.seed);
   CaseEstimate estimate = estimate_sample(values.sample, plan);
-  if (plan) estimate.wall_seconds = packing_seconds_a_rod * static_cast<double>(plan->rods);
-  estimate.assumption = "1 ms a rod, one thread";
+  foretell(
+      estimate, [&] { return expected_seconds(values, plan); }, "from a trial on this machine");
   return estimate;
 }
 

@@ -7,6 +7,7 @@
 #include "fibers/observables.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
+#include "studies/sample/estimate.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/sample/length_comparison.hpp"
 #include "studies/sample/start.hpp"
@@ -177,6 +178,7 @@ Outcome compute_cluster(const ClusterCase& values, Session& session) {
   if (session.continues() && session.recorder().has_outcome())
     throw NoOutcome{StopReason::done, "the packing is complete already"};
   session.use_threads(values.run.threads);
+  require_sample_memory(values.sample, values.run.seed);
   Recorder& recorder = session.recorder();
   recorder.note("packing");
   try {

@@ -7,9 +7,13 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
 #include "base/units.hpp"
 #include "io/input_file.hpp"
+#include "results/memory_recorder.hpp"
 #include "studies/measurement/lists.hpp"
+#include "studies/measurement/run.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -95,9 +99,31 @@ void validate_measurement(const MeasurementCase& values, CaseChecker& checker) {
   validate_directions(values.orientation, checker);
 }
 
+namespace {
+
+/// Foretells the wall seconds of a run on so many rows from one with fewer bootstrap samples.
+double expected_seconds(const MeasurementCase& values, double rows, double reading_seconds) {
+  constexpr double trial_draws = 1e6;
+  MeasurementCase trial = values;
+  trial.statistics.resamples =
+      std::min(values.statistics.resamples, static_cast<std::int64_t>(std::max(10.0, trial_draws / rows)));
+  MemoryRecorder recorder;
+  Session session(recorder);
+  const double begin = wall_seconds();
+  static_cast<void>(compute_measurement(trial, session));
+  const double seconds = wall_seconds() - begin;
+  return seconds +
+         std::max(0.0, seconds - reading_seconds) * (static_cast<double>(values.statistics.resamples) /
+                                                         static_cast<double>(trial.statistics.resamples) -
+                                                     1);
+}
+
+}  // namespace
+
 CaseEstimate estimate_measurement(const MeasurementCase& values) {
   CaseEstimate estimate;
   double rows = 0;
+  const double begin = wall_seconds();
   if (!values.lengths.file.empty()) {
     const LengthList list = read_lengths(values.lengths);
     const std::size_t lengths = list.fibers.lengths.size();
@@ -113,8 +139,10 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
     rows += static_cast<double>(directions);
   }
   estimate.memory_bytes = 1e7 + 100 * rows;
-  estimate.wall_seconds = 5e-8 * rows * static_cast<double>(values.statistics.resamples);
-  estimate.assumption = "50 ns a row and bootstrap sample";
+  const double reading = wall_seconds() - begin;
+  foretell(
+      estimate, [&] { return expected_seconds(values, rows, reading); },
+      "from a trial with fewer bootstrap samples");
   return estimate;
 }
 

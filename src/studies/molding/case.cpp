@@ -4,15 +4,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "studies/length_choices.hpp"
+#include "studies/molding/effort.hpp"
 #include "studies/molding/setup.hpp"
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
+#include "continuum/attrition_law.hpp"
+#include "molding/filling.hpp"
 #include "molding/gate_nodes.hpp"
 #include "molding/mesh_quality.hpp"
+#include "results/memory_recorder.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -20,8 +28,9 @@ namespace {
 /// Error of the pressure by the mesh that users are told of.
 constexpr double noticed_error = 0.01;
 
-/// Microseconds a node, layer of half the gap and step, from docs/develop/performance.md.
-constexpr double flow_cost = 0.1, heat_cost = 0.02, orientation_cost = 0.13, length_cost = 0.006;
+/// The work done grows with this power of the filled share: steps are of equal volume, and their work is that
+/// of the melt that is there.
+constexpr double work_power = 2;
 
 /// All keys that can give the flow, and whether they do.
 struct FlowKey {
@@ -259,6 +268,38 @@ void validate_molding(const MoldingCase& values, CaseChecker& checker) {
   if (checker.is_sound() && !meshed_before) validate_filling(values, checker);
 }
 
+namespace {
+
+/// Foretells the wall seconds of a filling from its first steps. The work of a step grows with the melt that
+/// is there.
+double expected_seconds(const MoldingCase& values, const MoldingSetup& setup, const ShellMesh& mesh) {
+  MemoryRecorder recorder;
+  Session(recorder).use_threads(values.threads);
+  Pace trial(0.15);
+  Filling filling(mesh, setup.params);
+  while (trial.has_time() && !filling.finished()) {
+    filling.advance();
+    trial.reached(filling.finished() ? 1 : std::pow(filling.filled_fraction(), work_power));
+  }
+  return trial.whole();
+}
+
+}  // namespace
+
+double filling_bytes(const MoldingSetup& setup) {
+  const MoldingFibers& fibers = setup.params.fibers;
+  const auto nodes = static_cast<double>(setup.part.shell.nodes.size());
+  const double points = 0.5 * nodes * static_cast<double>(setup.params.numerics.layers);
+  std::size_t fields = 0, bins = 0;
+  for (const LengthSet& set : fibers.length_sets) {
+    fields += set.law->fragmentation() != nullptr ? fibers.phelps_bins
+                                                  : std::max<std::size_t>(1, fibers.class_lengths.size());
+    if (set.law->fragmentation() != nullptr) bins = fibers.phelps_bins;
+  }
+  return static_cast<double>(peak_memory_bytes()) + points * (200 + 24 * static_cast<double>(fields)) +
+         2e3 * nodes + PhelpsSolver::memory_bytes(bins);
+}
+
 CaseEstimate estimate_molding(const MoldingCase& values) {
   const MoldingSetup setup = molding_setup(values);
   const ShellMesh mesh(setup.part.shell);
@@ -281,16 +322,9 @@ CaseEstimate estimate_molding(const MoldingCase& values) {
       {"flow rate at the start", fmt::format("{:.6g} cm^3/s", 1e6 * rate)},
       {"fill time at that rate", fmt::format("{:.6g} s", mesh.total_volume() / rate)},
       {"length laws", fmt::format("{}", setup.params.fibers.length_sets.size())}};
-  const double points =
-      0.5 * static_cast<double>(mesh.node_count()) * static_cast<double>(values.numerics.layers);
-  const double fields =
-      static_cast<double>(setup.params.fibers.length_sets.size() *
-                          std::max<std::size_t>(1, setup.params.fibers.class_lengths.size()));
-  const double cost = flow_cost + (values.numerics.heat == HeatModel::full ? heat_cost : 0) +
-                      (values.orientation.name.empty() ? 0 : orientation_cost) + length_cost * fields;
-  estimate.memory_bytes = 3e7 + points * (200 + 24 * fields) + 2e3 * static_cast<double>(mesh.node_count());
-  estimate.wall_seconds = 1e-6 * cost * points * static_cast<double>(values.numerics.steps);
-  estimate.assumption = "two threads";
+  estimate.memory_bytes = filling_bytes(setup);
+  foretell(
+      estimate, [&] { return expected_seconds(values, setup, mesh); }, "from a trial of its first steps");
   return estimate;
 }
 

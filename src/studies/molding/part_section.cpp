@@ -197,7 +197,8 @@ ShellSection part_section(const MoldingCase& values, const ResultFolder& folder)
     const std::vector<double> all = numbers_of({array}, array.name);
     section.tensors.push_back({"orientation", {all.begin(), all.end()}});
   }
-  add_last_state(values, folder, section);
+  // A run that was killed may have none yet.
+  if (std::filesystem::exists(folder.checkpoint())) add_last_state(values, folder, section);
   add_stiffness_axes(folder, section);
   section.caption =
       "Values between the frames are interpolated; temperature, length and orientation are means over the "

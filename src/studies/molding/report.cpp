@@ -92,7 +92,9 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
 
 void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vector<ReportSection>& sections) {
   const auto table = [&folder](const char* name) -> std::optional<CsvTable> {
-    if (!std::filesystem::exists(folder.file(name))) return std::nullopt;
+    // The summary is written last: without it, tables may lack.
+    if (!std::filesystem::exists(folder.summary()) || !std::filesystem::exists(folder.file(name)))
+      return std::nullopt;
     return read_csv(folder.file(name));
   };
   if (const auto places = table("places.csv")) sections.emplace_back(places_section(values, *places));
@@ -112,14 +114,18 @@ void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vect
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder) {
   ReportDocument document;
   document.title = "Mold filling";
-  const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  document.stop_reason = "unfinished";
   document.sections.emplace_back(asked(values));
-  document.sections.emplace_back(came_out(summary));
+  const bool finished = std::filesystem::exists(folder.summary());
+  if (finished) {
+    const SummaryFile summary(folder.summary());
+    document.stop_reason = summary.text("stop_reason");
+    document.sections.emplace_back(came_out(summary));
+  }
   document.sections.emplace_back(part_section(values, folder));
   add_charts(values, read_csv(folder.series()), document.sections);
   add_tables(values, folder, document.sections);
-  document.sections.emplace_back(effort(summary));
+  if (finished) document.sections.emplace_back(effort(SummaryFile(folder.summary())));
   return document;
 }
 

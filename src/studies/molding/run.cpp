@@ -6,9 +6,11 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/threads.hpp"
 #include "io/atomic_file.hpp"
 #include "studies/molding/checkpoint.hpp"
+#include "studies/molding/effort.hpp"
 #include "studies/molding/frames.hpp"
 #include "studies/molding/observables.hpp"
 #include "studies/molding/outcome.hpp"
@@ -163,6 +165,7 @@ void MoldingRun::tell(StopReason reason) const {
 
 Outcome begin_filling(const MoldingCase& values, Session& session) {
   MoldingSetup setup = molding_setup(values);
+  require_memory(filling_bytes(setup), "take a larger part.mesh_size, fewer layers or fewer lengths");
   Filling filling(ShellMesh(setup.part.shell), setup.params);
   session.recorder().note(fmt::format("{} nodes, {} triangles, {:.4g} cm^3, {} threads",
                                       filling.mesh().node_count(), filling.mesh().triangle_count(),

@@ -1,5 +1,7 @@
 // Checks a case of the study orientation and makes from it what the laws take.
 #include "studies/orientation/case.hpp"
+#include "base/timer.hpp"
+#include "studies/orientation/run.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +13,7 @@
 #include "keys/time_rows.hpp"
 #include "microstructure/closure.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -177,6 +180,15 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   warn_of_doubts(values, checker);
 }
 
+double orientation_bytes(const OrientationCase& values) {
+  constexpr double bytes_a_row = 600, bytes_a_coefficient = 2e3;
+  const bool distribution = values.solution.distribution == DistributionChoice::yes;
+  const double coefficients = 0.5 * std::pow(static_cast<double>(values.solution.degree), 2);
+  return static_cast<double>(peak_memory_bytes()) +
+         bytes_a_row * static_cast<double>(series_times(values.run, values.output).size()) +
+         (distribution ? bytes_a_coefficient * coefficients : 0);
+}
+
 CaseEstimate estimate_orientation(const OrientationCase& values) {
   const Mat3 gradient = gradient_history(values.flow).at(0).gradient;
   const double rate = rate_of(gradient);
@@ -187,12 +199,9 @@ CaseEstimate estimate_orientation(const OrientationCase& values) {
       {"strain, if it stayed so", fmt::format("{:.6g}", rate * values.run.duration)},
       {"equivalent C_I at the start", fmt::format("{:.6g}", diffusion.trace() / 3)},
       {"rows of series.csv", fmt::format("{}", series_times(values.run, values.output).size())}};
-  const double steps = 20 * std::max(1.0, rate * values.run.duration);
-  const bool distribution = values.solution.distribution == DistributionChoice::yes;
-  const double coefficients = 0.5 * std::pow(static_cast<double>(values.solution.degree), 2);
-  estimate.memory_bytes = 1e7 + (distribution ? 2e3 * coefficients : 0);
-  estimate.wall_seconds = steps * (1e-5 + (distribution ? 1e-6 * coefficients : 0));
-  estimate.assumption = "20 steps for each unit of strain";
+  estimate.memory_bytes = orientation_bytes(values);
+  foretell(
+      estimate, [&] { return orientation_seconds(values); }, "from a trial of its beginning");
   return estimate;
 }
 

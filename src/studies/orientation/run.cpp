@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/memory.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/fokker_planck.hpp"
 #include "microstructure/closure.hpp"
@@ -13,6 +14,7 @@
 #include "studies/law_facts.hpp"
 #include "studies/orientation/observables.hpp"
 #include "studies/orientation/states.hpp"
+#include "studies/pace.hpp"
 #include "studies/summary_tensors.hpp"
 
 namespace fiberfate {
@@ -102,7 +104,20 @@ class OrientationRun {
 
 }  // namespace
 
+double orientation_seconds(const OrientationCase& values) {
+  const Observables<OrientationMoment> observables = orientation_observables(values);
+  Pace trial;
+  OrientationRun run(values);
+  for (const double time : with_early_times(series_times(values.run, values.output))) {
+    static_cast<void>(measure(observables, run.advance_to(time)));
+    trial.reached(time / values.run.duration);
+    if (!trial.has_time()) break;
+  }
+  return trial.whole();
+}
+
 Outcome compute_orientation(const OrientationCase& values, Session& session) {
+  require_memory(orientation_bytes(values), "take a lower solution.degree or fewer rows of output");
   Outcome outcome;
   RunSummary& summary = outcome.summary;
   summary.simulated_s = values.run.duration;

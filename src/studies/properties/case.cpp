@@ -4,11 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "base/constants.hpp"
 #include "base/error.hpp"
 #include "keys/key_rows.hpp"
 #include "keys/law_choice.hpp"
+#include "microstructure/closure.hpp"
 #include "packing/population.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -72,6 +76,40 @@ void validate_fraction(const CompositeFiberChoices& fibers, CaseChecker& checker
         fibers.volume_fraction ? "remove one of the two" : "add volume_fraction = \"13.2 %\" under [fibers]");
 }
 
+constexpr int angle_steps = 72;
+
+/// Young's modulus along n, 1/(nn : S : nn).
+double modulus_along(const Mat6& compliance, const Vec3& n) {
+  return 1 / double_dot(n * n.transpose(), contracted(compliance, n * n.transpose()));
+}
+
+CsvTable modulus_table(const Mat6& stiffness) {
+  const Mat6 compliance = inverse(stiffness);
+  CsvTable table{{"angle_deg", "modulus_12_Pa", "modulus_13_Pa"}};
+  for (int k = 0; k <= angle_steps; ++k) {
+    const double angle = pi * k / angle_steps;
+    table.append({180.0 * k / angle_steps, modulus_along(compliance, {std::cos(angle), std::sin(angle), 0}),
+                  modulus_along(compliance, {std::cos(angle), 0, std::sin(angle)})});
+  }
+  return table;
+}
+
+/// Whether every modulus is finite and positive.
+bool is_real(const CsvTable& modulus) {
+  for (std::size_t i = 1; i < modulus.columns.size(); ++i)
+    for (const double value : modulus.values[i])
+      if (!(value > 0) || !std::isfinite(value)) return false;
+  return true;
+}
+
+/// Whether every number that follows from a stiffness is finite: its compliance is, too.
+bool is_invertible(const ThermoelasticProperties& properties) {
+  const Mat6 compliance = inverse(properties.stiffness);
+  return properties.stiffness.allFinite() && properties.thermal_stress.allFinite() &&
+         compliance.allFinite() && (compliance.diagonal().array() != 0).all() &&
+         thermal_expansion(properties).allFinite();
+}
+
 void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker) {
   const int given =
       (fibers.aspect_ratio ? 1 : 0) + (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1);
@@ -106,9 +144,7 @@ void validate_properties(const PropertiesCase& values, CaseChecker& checker) {
     checker.warn_unused({"fibers.density", "matrix.density"}, "a case with fibers.weight_fraction");
   if (!checker.is_sound()) return;
   try {
-    const auto aligned =
-        length_average(composite_material(values), aspect_ratios(values.fibers), values.solution.model);
-    if (!stores_energy(aligned.stiffness))
+    if (!stores_energy(predict(values).aligned.stiffness))
       checker.warn("solution.model", "gives a material that some strain would take energy from",
                    "take mori_tanaka or lielens, or other Poisson's ratios");
   } catch (const InputError& error) {
@@ -128,9 +164,29 @@ CaseEstimate estimate_properties(const PropertiesCase& values) {
   estimate.facts = {{"volume fraction", fmt::format("{:.6g}", composite_material(values).volume_fraction)},
                     {"aspect ratio, averaged by volume", fmt::format("{:.6g}", ratio / shares)}};
   estimate.memory_bytes = 1e7;
-  estimate.wall_seconds = 1e-5 * static_cast<double>(classes.size());
-  estimate.assumption = "10 us a length";
+  Pace trial;
+  static_cast<void>(predict(values));
+  trial.reached(1);
+  estimate.wall_seconds = trial.whole();
+  estimate.assumption = "measured";
   return estimate;
+}
+
+PredictedProperties predict(const PropertiesCase& values) {
+  PredictedProperties predicted{composite_material(values), {}, {}, {}};
+  const Mat3& second = values.fibers.orientation;
+  predicted.aligned = length_average(predicted.material, aspect_ratios(values.fibers), values.solution.model);
+  predicted.part =
+      orientation_average(predicted.aligned, close(second, closure_named(values.solution.closure)), second);
+  if (!is_invertible(predicted.aligned) || !is_invertible(predicted.part))
+    throw InputError("the model gives no finite stiffness or compliance",
+                     "check the moduli (in Pa), Poisson's ratios and lengths");
+  predicted.modulus = modulus_table(predicted.part.stiffness);
+  if (!is_real(predicted.modulus))
+    throw InputError(
+        "the model gives a part that yields without a force in some direction",
+        "take solution.model = \"mori_tanaka\", and check the moduli (in Pa) and Poisson's ratios");
+  return predicted;
 }
 
 CompositeMaterial composite_material(const PropertiesCase& values) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continuum/homogenisation.hpp"
+#include "io/csv_table.hpp"
 #include "keys/case_checker.hpp"
 #include "studies/study.hpp"
 
@@ -50,6 +51,16 @@ struct PropertiesCase {
 void describe_properties(KeyTable& table, PropertiesCase& values);
 void validate_properties(const PropertiesCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_properties(const PropertiesCase& values);
+
+/// What a case predicts.
+struct PredictedProperties {
+  CompositeMaterial material;
+  ThermoelasticProperties aligned;  ///< of fibers along axis 1
+  ThermoelasticProperties part;     ///< of fibers with the case's orientation
+  CsvTable modulus;                 ///< Young's modulus of the part over direction
+};
+/// Predicts; raises InputError where the models give no finite numbers.
+[[nodiscard]] PredictedProperties predict(const PropertiesCase& values);
 
 /// Makes what a valid case asks for.
 [[nodiscard]] CompositeMaterial composite_material(const PropertiesCase& values);

@@ -3,10 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "base/memory.hpp"
+#include "base/timer.hpp"
+
 namespace fiberfate {
 namespace {
 
-constexpr double bytes_a_program = 50e6;  ///< code, libraries, buffers of the output
+// Packing takes as long as about so many steps of the dynamics; measured on the cases 03 to 09.
+constexpr double packing_steps = 4000;
+constexpr double bytes_of_output = 10e6;  ///< buffers of the files
 constexpr double bytes_a_rod = 2000;      ///< state, step, neighbour lists with some ten pairs
 
 std::string percent(double fraction) {
@@ -15,9 +20,18 @@ std::string percent(double fraction) {
 
 }  // namespace
 
+double sample_bytes(const std::optional<SamplePlan>& plan) {
+  const double rods = plan ? static_cast<double>(plan->rods) : 0;
+  return static_cast<double>(peak_memory_bytes()) + bytes_of_output + bytes_a_rod * rods;
+}
+
+void require_sample_memory(const SampleCase& sample, std::uint64_t seed) {
+  require_memory(sample_bytes(plan_sample(sample, seed)), "take fewer fibers or longer rods");
+}
+
 CaseEstimate estimate_sample(const SampleCase& sample, const std::optional<SamplePlan>& plan) {
   CaseEstimate estimate;
-  estimate.memory_bytes = bytes_a_program;
+  estimate.memory_bytes = sample_bytes(plan);
   if (!plan) {
     estimate.facts.emplace_back("fibers", "as in " + sample.cluster.file);
     return estimate;
@@ -31,8 +45,11 @@ CaseEstimate estimate_sample(const SampleCase& sample, const std::optional<Sampl
       {"weight fraction", plan->weight_fraction
                               ? percent(*plan->weight_fraction)
                               : std::string("unknown (needs fibers.density and matrix.density)")}};
-  estimate.memory_bytes += bytes_a_rod * static_cast<double>(plan->rods);
   return estimate;
+}
+
+double packing_seconds(const SamplePlan& plan, double seconds_a_rod_step) {
+  return packing_steps * static_cast<double>(plan.rods) * seconds_a_rod_step;
 }
 
 }  // namespace fiberfate

@@ -11,17 +11,15 @@
 #include "dynamics/friction_laws/friction_registry.hpp"
 #include "fibers/contact_laws/contact_registry.hpp"
 #include "keys/law_keys.hpp"
+#include "studies/pace.hpp"
 #include "studies/sample/estimate.hpp"
+#include "studies/shear_cell/effort.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr double default_frames = 50;  ///< of result.vtkhdf
 constexpr double most_frames = 1e6;    ///< more are a slip of the unit
-
-// What `check` assumes about a run: measured on the case 04_couette_43wt (docs/develop/performance.md).
-constexpr double rod_steps_per_second = 2e6;
-constexpr double mean_strain_a_step = 1.7e-3;
 
 void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   const FlowChoices& flow = values.flow;
@@ -125,21 +123,11 @@ void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker) {
 CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
   const auto plan = plan_sample(values.sample, values.run.seed);
   CaseEstimate estimate = estimate_sample(values.sample, plan);
-  const double duration = values.run.duration;
-  const StepParameters& step = values.dynamics.step;
-  double steps = 0;
-  if (step.control == StepControl::fixed) {
-    steps = duration / step.initial;
-  } else {
-    const double strain = shear_strain(flow_history(values.flow), duration);
-    steps = std::max(strain / mean_strain_a_step, duration / step.maximum);
-  }
-  estimate.facts.emplace_back("time steps", fmt::format("about {:.2g}", steps));
-  if (plan) estimate.wall_seconds += steps * static_cast<double>(plan->rods) / rod_steps_per_second;
-  estimate.assumption = fmt::format("{:.2g} rod-steps a second, one thread; {}", rod_steps_per_second,
-                                    step.control == StepControl::fixed
-                                        ? "fixed step"
-                                        : fmt::format("a mean step of {:.2g} of strain", mean_strain_a_step));
+  if (plan)
+    estimate.facts.emplace_back("time steps",
+                                fmt::format("about {:.2g}", expected_steps(values, crowding(values, *plan))));
+  foretell(
+      estimate, [&] { return shear_cell_seconds(values, plan); }, "from a trial on this machine");
   return estimate;
 }
 

@@ -10,6 +10,7 @@
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
 #include "results/output_schedule.hpp"
+#include "studies/sample/estimate.hpp"
 #include "studies/sample/start.hpp"
 #include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run_loop.hpp"
@@ -211,6 +212,7 @@ RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
 
 Outcome begin_run(const ShearCellCase& values, Session& session) {
   Recorder& recorder = session.recorder();
+  require_sample_memory(values.sample, values.run.seed);
   recorder.note("making the fibers");
   Checkpoint start;
   start.resolved_case = recorder.resolved_case();

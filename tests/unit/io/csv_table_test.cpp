@@ -54,6 +54,12 @@ TEST(CsvTable, NamesTheLineAtFault) {
   EXPECT_THROW(static_cast<void>(read_csv(folder / "t.csv")), StorageError);
 }
 
+TEST(CsvTable, LeavesOutARowThatIsHalfWritten) {
+  const ScratchFolder folder;
+  replace_file(folder / "t.csv", "a,b\n1,2\n3");
+  EXPECT_EQ(read_csv(folder / "t.csv").column("a"), (std::vector<double>{1}));
+}
+
 TEST(CsvTable, IsWrittenWholeToo) {
   const ScratchFolder folder;
   write_csv(folder / "t.csv", {{"a", "b"}, {{1, 2}, {3, 4.5}}});

@@ -105,6 +105,26 @@ TEST(Hdf5File, RaisesForAFlippedBit) {
   EXPECT_THROW(static_cast<void>(damaged.read<double>("x")), StorageError);
 }
 
+TEST(Hdf5File, AsksForNoMoreMemoryThanTheFileIsWorth) {
+  const ScratchFolder folder;
+  Hdf5File file = Hdf5File::create(folder / "a.h5");
+  file.make_table("x", {Element::float64, 0, 64});
+  constexpr std::uint64_t marked = 0x1234;
+  file.append("x", view(std::vector<double>(marked, 1.5)));
+  file.close();
+  std::string bytes = read_file(folder / "a.h5");
+  // The head of a dataset has its rows, and then the most that they may become.
+  const std::string rows =
+      std::string(reinterpret_cast<const char*>(&marked), sizeof marked) + std::string(8, '\xff');
+  const std::size_t place = bytes.find(rows);
+  ASSERT_NE(place, std::string::npos);
+  bytes[place + 5] = 0x40;  // 7e13 rows
+  // A dataset is guarded by a checksum of its head, which a reader may find wrong first.
+  replace_file(folder / "a.h5", std::string_view(bytes));
+  const Hdf5File damaged = Hdf5File::open(folder / "a.h5", Access::read);
+  EXPECT_THROW(static_cast<void>(damaged.read<double>("x")), StorageError);
+}
+
 TEST(Hdf5File, NamesTheDatasetThatIsMissing) {
   const ScratchFolder folder;
   const Hdf5File file = Hdf5File::create(folder / "a.h5");

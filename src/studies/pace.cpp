@@ -1,0 +1,61 @@
+// Foretells how long work takes.
+#include "studies/pace.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/timer.hpp"
+
+namespace fiberfate {
+
+Pace::Pace(double trial_s) : begin_(wall_seconds()), trial_(trial_s) {}
+
+bool Pace::has_time() const {
+  return wall_seconds() - begin_ < trial_;
+}
+
+void Pace::reached(double share) {
+  marks_.push_back({wall_seconds() - begin_, std::min(share, 1.0)});
+}
+
+double Pace::whole() const {
+  if (marks_.empty()) return 0;
+  const Mark& last = marks_.back();
+  if (last.share >= 1) return last.time;
+  const auto half = std::find_if(marks_.begin(), marks_.end(),
+                                 [&last](const Mark& mark) { return mark.time >= 0.5 * last.time; });
+  const double time = half->share < last.share ? last.time - half->time : last.time;
+  const double share = half->share < last.share ? last.share - half->share : last.share;
+  return share > 0 ? last.time + (1 - last.share) * time / share : 0;
+}
+
+void foretell(CaseEstimate& estimate, const std::function<double()>& trial, const std::string& assumption) {
+  std::string failure;
+  try {
+    estimate.wall_seconds = trial();
+    estimate.assumption = assumption;
+    return;
+  } catch (const SimulationFailure& error) {
+    failure = error.what();
+  } catch (const InputError& error) {
+    failure = error.what();
+  }
+  estimate.wall_seconds = std::numeric_limits<double>::quiet_NaN();
+  estimate.assumption = "a trial failed: " + failure;
+}
+
+std::vector<double> with_early_times(const std::vector<double>& times) {
+  constexpr int halvings = 24;
+  std::vector<double> all;
+  const auto first = std::find_if(times.begin(), times.end(), [](double time) { return time > 0; });
+  all.assign(times.begin(), first);
+  if (first == times.end()) return all;
+  double time = *first;
+  for (int i = 0; i < halvings; ++i) time /= 2;
+  for (; time < *first; time *= 2) all.push_back(time);
+  all.insert(all.end(), first, times.end());
+  return all;
+}
+
+}  // namespace fiberfate
