@@ -70,10 +70,10 @@ void RodGrid::bin_rods(const FiberState& state) {
   });
 }
 
-RodGrid::BinnedRod RodGrid::binned(const FiberState& state, RodIndex rod) const {
-  const Vec3 axis = state.axis(rod);
+RodGrid::BinnedRod RodGrid::binned(const FiberState& state, RodIndex which) const {
+  const Vec3 axis = state.axis(which);
   const double length = axis.norm();
-  Vec3 wrapped = state.centre(rod);
+  Vec3 wrapped = state.centre(which);
   const Vec3 fraction = to_fraction_ * wrapped;
   BinnedRod one{};
   for (int i = 0; i < 3; ++i) {
@@ -87,7 +87,7 @@ RodGrid::BinnedRod RodGrid::binned(const FiberState& state, RodIndex rod) const 
     one.axis[i] = static_cast<float>(axis[i] / length);
   }
   one.half_length = static_cast<float>(0.5 * length);
-  one.rod = rod;
+  one.rod = which;
   one.bin = bin_index(bin_at(wrapped));
   return one;
 }

@@ -64,7 +64,7 @@ class RodGrid {
   };
 
   void bin_rods(const FiberState& state);
-  [[nodiscard]] BinnedRod binned(const FiberState& state, RodIndex rod) const;
+  [[nodiscard]] BinnedRod binned(const FiberState& state, RodIndex which) const;
   void sort_bins();
   [[nodiscard]] Block block_around(Bin bin, double reach) const;
   void add_row(const Block& block, int i, int j, std::vector<Run>& runs) const;

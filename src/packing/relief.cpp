@@ -67,7 +67,7 @@ void Relief::put_straight(FiberIndex fiber, const StraightAxis& axis) {
 
 StraightAxis Relief::roomiest_place(FiberIndex fiber, const Vacancies& vacancies) const {
   const Vec3 ends = chains_.position[chains_.last_node(fiber)] - chains_.position[chains_.begin_node(fiber)];
-  std::vector<StraightAxis> places(places_tried, {{}, ends.normalized(), chains_.length(fiber)});
+  std::vector<StraightAxis> places(places_tried, {Vec3::Zero(), ends.normalized(), chains_.length(fiber)});
   std::vector<double> filled(places_tried);
   parallel_for(places_tried / places_a_chunk, [&](std::uint32_t chunk) {
     double least = 1;
