@@ -52,20 +52,19 @@ void add(const LanePlace& to, const RodLoad& load) {
 
 void add_rod_loads(const RodLoads& loads, const ChainGroup& group, ChainSystem& system) {
   for (int lane = 0; lane < System::lanes; ++lane) {
-    for (int i = 0; i < group.used[lane]; ++i) {
-      for (const RodLoad& load : loads.of_rod(RodIndex(group.first[lane] + i)))
-        add(place_of(system, lane, i), load);
-    }
+    const RodIndex first(group.first[lane]);
+    for (int i = 0; i < group.used[lane]; ++i)
+      for (const RodLoad& load : loads.of_rod(first + i)) add(place_of(system, lane, i), load);
   }
 }
 
 void add_pairs(const ChainProblem& problem, const ChainGroup& group, const double* rods,
                ChainSystem& system) {
   const PairSlots& slots = system.slots();
-  add_pair_loads(
-      {system.record(0), problem.state.position.front().data(), problem.pair_velocity.front().data(), rods,
-       problem.pairs->forces().data(), slots.numbers(), slots.ends(), slots.rod_count()},
-      group);
+  const Vec3 &position = problem.state.position.front(), &velocity = problem.pair_velocity.front();
+  add_pair_loads({system.record(0), position.data(), velocity.data(), rods, problem.pairs->forces().data(),
+                  slots.numbers(), slots.ends(), slots.rod_count()},
+                 group);
 }
 
 }  // namespace
