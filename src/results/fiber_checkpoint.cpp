@@ -1,6 +1,7 @@
 // Saves and restores runs as HDF5 files.
 #include "results/fiber_checkpoint.hpp"
 
+#include <algorithm>
 #include <span>
 
 #include "base/error.hpp"
@@ -142,6 +143,14 @@ void read_rest(const Hdf5File& file, Checkpoint& checkpoint) {
   checkpoint.resolved_case = file.read_text("case");
 }
 
+/// Whether every fiber has a rod at least, and all of them have all nodes.
+bool has_ordered_nodes(const FiberState& state) {
+  const auto& first = state.first_node;
+  const auto is_short = [](NodeIndex begin, NodeIndex end) { return end < begin + 2; };
+  return first.front() == NodeIndex(0) && first.back() == NodeIndex(state.node_count()) &&
+         std::adjacent_find(first.begin(), first.end(), is_short) == first.end();
+}
+
 /// Whether offsets and arrays belong together, so that damage that HDF5 does not see is caught here.
 bool is_whole(const FiberState& state) {
   const auto nodes = state.position.size();
@@ -149,7 +158,7 @@ bool is_whole(const FiberState& state) {
   return state.relative_velocity.size() == nodes && state.rod_length.size() == nodes &&
          state.first_node.size() == fibers + 1 && state.birth_node.size() == fibers &&
          state.material_id.size() == fibers && state.touches_previous.size() == fibers &&
-         state.first_node.back() == NodeIndex(nodes);
+         has_ordered_nodes(state);
 }
 
 /// Fills a new checkpoint file.

@@ -80,5 +80,15 @@ TEST_F(CheckpointTest, IsRefusedWhenTruncatedAnywhere) {
   }
 }
 
+// The second fiber begins at node 3. Loops over nodes would not end.
+TEST_F(CheckpointTest, IsRefusedWhereAFiberHasNoRod) {
+  for (const int begin : {-1, 0, 1, 9}) {
+    Checkpoint damaged = sample();
+    damaged.state.first_node[FiberIndex(1)] = NodeIndex(begin);
+    write_checkpoint(path_, damaged);
+    EXPECT_THROW(static_cast<void>(read_checkpoint(path_)), StorageError) << begin;
+  }
+}
+
 }  // namespace
 }  // namespace fiberfate
