@@ -74,7 +74,7 @@ std::string describe_combination(const FitProblem& problem, const FitCoordinates
   for (Eigen::Index i = 0; i < direction.size(); ++i) {
     const double part = direction[i] / largest;
     if (std::abs(part) < part_tolerance) continue;
-    const std::string& name = problem.parameters[coordinates.parameter(static_cast<std::size_t>(i))].name;
+    const std::string& name = problem.parameters[coordinates.parameter(i)].name;
     text += fmt::format("{}{} by {:+.3g} %", text.empty() ? "" : " with ", name, part);
   }
   return text;
@@ -91,9 +91,9 @@ Linearisation linearise(const FitProblem& problem, const FitCoordinates& coordin
                         Eigen::MatrixXd jacobian, const std::vector<bool>& bound) {
   const Eigen::Index count = jacobian.cols();
   Linearisation linear;
-  linear.undetermined.assign(static_cast<std::size_t>(count), false);
+  linear.undetermined.assign(count, false);
   for (Eigen::Index i = 0; i < count; ++i)
-    if (bound[static_cast<std::size_t>(i)]) jacobian.col(i).setZero();
+    if (bound[i]) jacobian.col(i).setZero();
   // More rows than columns, so that directions which no observation sees have singular vectors too.
   Eigen::MatrixXd tall = Eigen::MatrixXd::Zero(std::max(jacobian.rows(), count), count);
   tall.topRows(jacobian.rows()) = jacobian;
@@ -109,11 +109,11 @@ Linearisation linearise(const FitProblem& problem, const FitCoordinates& coordin
     }
     double bound_part = 0;
     for (Eigen::Index i = 0; i < count; ++i)
-      if (bound[static_cast<std::size_t>(i)]) bound_part += direction[i] * direction[i];
+      if (bound[i]) bound_part += direction[i] * direction[i];
     if (bound_part > 0.5) continue;
     linear.combinations.push_back(describe_combination(problem, coordinates, direction));
     for (Eigen::Index i = 0; i < count; ++i)
-      if (std::abs(direction[i]) > part_tolerance) linear.undetermined[static_cast<std::size_t>(i)] = true;
+      if (std::abs(direction[i]) > part_tolerance) linear.undetermined[i] = true;
   }
   return linear;
 }
@@ -136,8 +136,7 @@ void fill_matrices(const FitCoordinates& coordinates, const Linearisation& linea
   const auto count = static_cast<Eigen::Index>(coordinates.size());
   Eigen::VectorXd slopes(count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    slopes[i] = coordinates.slope(at, result.values[coordinates.parameter(at)]);
+    slopes[i] = coordinates.slope(i, result.values[coordinates.parameter(i)]);
   }
   result.covariance = slopes.asDiagonal() * result.position_covariance * slopes.asDiagonal();
   const Eigen::VectorXd deviations = linear.inverse.diagonal().cwiseSqrt();
@@ -182,9 +181,7 @@ void find_correlations(const FitProblem& problem, const FitCoordinates& coordina
     for (Eigen::Index k = 0; k < i; ++k) {
       const double correlation = result.correlation(i, k);
       if (!(std::abs(correlation) > strong_correlation)) continue;
-      const auto name = [&](Eigen::Index at) {
-        return problem.parameters[coordinates.parameter(static_cast<std::size_t>(at))].name;
-      };
+      const auto name = [&](Eigen::Index at) { return problem.parameters[coordinates.parameter(at)].name; };
       result.findings.push_back({FindingKind::nearly_collinear,
                                  fmt::format("{} and {} are hardly told apart: their correlation is {:.4f}",
                                              name(k), name(i), correlation)});

@@ -30,7 +30,7 @@ NaturalSpline::NaturalSpline(std::vector<double> x, std::vector<double> y)
 
 double NaturalSpline::at(double x) const {
   const auto above = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
-  const auto i = static_cast<std::size_t>(above - x_.begin());
+  const std::size_t i = above - x_.begin();
   const double width = x_[i] - x_[i - 1], a = (x_[i] - x) / width, b = 1 - a;
   return a * y_[i - 1] + b * y_[i] +
          ((a * a * a - a) * bend_[i - 1] + (b * b * b - b) * bend_[i]) * width * width / 6;

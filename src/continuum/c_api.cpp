@@ -92,7 +92,7 @@ std::vector<double> lined_up(std::string_view law, std::span<const LawParameter>
     if (found == names.end())
       throw InputError(fmt::format("the law {} has no constant '{}'", law, constant.name),
                        fmt::format("its constants are {}", fmt::join(names, ", ")));
-    values[static_cast<std::size_t>(found - names.begin())] = constant.value;
+    values[found - names.begin()] = constant.value;
   }
   return values;
 }

@@ -69,15 +69,14 @@ Eigen::VectorXd FokkerPlanck::with_second_moment(const Mat3& second) const {
 
 Mat3 FokkerPlanck::second_moment(const Eigen::VectorXd& psi) const {
   Vec6 moment;
-  for (int m = 0; m < 6; ++m)
-    moment[m] = std::sqrt(4 * pi) * product_[static_cast<std::size_t>(m)].row(0).dot(psi);
+  for (int m = 0; m < 6; ++m) moment[m] = std::sqrt(4 * pi) * product_[m].row(0).dot(psi);
   return to_matrix(moment);
 }
 
 Mat6 FokkerPlanck::fourth_moment(const Eigen::VectorXd& psi) const {
   Mat6 moment;
   for (int n = 0; n < 6; ++n) {
-    const Eigen::VectorXd weighted = product_[static_cast<std::size_t>(n)] * psi;
+    const Eigen::VectorXd weighted = product_[n] * psi;
     moment.col(n) = to_components(second_moment(weighted));
   }
   return moment;
@@ -105,7 +104,7 @@ void FokkerPlanck::require_resolved(const Eigen::VectorXd& psi) const {
 }
 
 void FokkerPlanck::require_distribution(const Eigen::VectorXd& psi, const Mat3& gradient) const {
-  require_same_size("psi", static_cast<std::size_t>(psi.size()), static_cast<std::size_t>(size()));
+  require_same_size("psi", psi.size(), size());
   require_numbers("psi", psi, any_finite);
   require_number("psi[0]", psi[0], positive);
   require_numbers("gradient", gradient.reshaped(), any_finite);
@@ -115,11 +114,11 @@ FokkerPlanck::Sparse FokkerPlanck::flow_operator(const Mat3& gradient) const {
   const Vec3 omega = 0.5 * Vec3(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0),
                                 gradient(1, 0) - gradient(0, 1));
   Sparse result(size(), size());
-  for (int i = 0; i < 3; ++i) result -= omega[i] * rotation_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 3; ++i) result -= omega[i] * rotation_[i];
   Vec6 strain = to_components(gradient);
   strain.head<3>().array() -= strain.head<3>().mean();  // an isotropic part does not turn fibers
   Sparse q(size(), size());
-  for (int m = 0; m < 6; ++m) q += multiplicity_of[m] * strain[m] * product_[static_cast<std::size_t>(m)];
+  for (int m = 0; m < 6; ++m) q += multiplicity_of[m] * strain[m] * product_[m];
   const Sparse after = laplacian_.asDiagonal() * q, before = q * laplacian_.asDiagonal();
   result -= (0.25 * model_.constants.xi) * (after - before - 6 * q);
   return result;
@@ -129,9 +128,9 @@ FokkerPlanck::Sparse FokkerPlanck::diffusion_operator(const Mat3& diffusion) con
   const Vec6 c = to_components(diffusion);
   Sparse q(size(), size()), turn(size(), size());
   for (int m = 0; m < 6; ++m) {
-    q += multiplicity_of[m] * c[m] * product_[static_cast<std::size_t>(m)];
-    const Sparse& first = rotation_[static_cast<std::size_t>(row_of[m])];
-    const Sparse& second = rotation_[static_cast<std::size_t>(column_of[m])];
+    q += multiplicity_of[m] * c[m] * product_[m];
+    const Sparse& first = rotation_[row_of[m]];
+    const Sparse& second = rotation_[column_of[m]];
     turn += (0.5 * multiplicity_of[m] * c[m]) * Sparse(first * second + second * first);
   }
   const double mean = diffusion.trace() / 3;

@@ -53,15 +53,15 @@ namespace {
 void count_in_bin(double length, double number, std::span<const double> edges, std::vector<double>& counts) {
   if (length < edges.front() || length > edges.back()) return;
   const auto above = std::upper_bound(edges.begin(), edges.end(), length) - edges.begin();
-  const auto bin = std::min(static_cast<std::size_t>(above) - 1, counts.size() - 1);
+  const auto bin = std::min(above, std::ssize(counts)) - 1;
   counts[bin] += number;
 }
 
 void spread_over_bins(double from, double to, double number, std::span<const double> edges,
                       std::vector<double>& counts) {
   const auto above = std::upper_bound(edges.begin(), edges.end(), from) - edges.begin();
-  for (auto bin = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - 1, 0));
-       bin < counts.size() && edges[bin] < to; ++bin) {
+  for (auto bin = std::max<std::ptrdiff_t>(above - 1, 0); bin < std::ssize(counts) && edges[bin] < to;
+       ++bin) {
     const double inside = std::min(to, edges[bin + 1]) - std::max(from, edges[bin]);
     if (inside > 0) counts[bin] += number * inside / (to - from);
   }

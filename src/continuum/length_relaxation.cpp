@@ -56,9 +56,8 @@ void relax_lengths(const RelaxationLaw& law, const LengthFlows& flows, double du
   if (points == 0 || duration == 0) return;
   require_same_size("lengths", lengths.size(), lengths.size() / points * points);
   const auto blocks = static_cast<std::ptrdiff_t>((points + block_size - 1) / block_size);
-  parallel_for(blocks, [&](std::ptrdiff_t block) {
-    relax_block(law, flows, duration, static_cast<std::size_t>(block) * block_size, lengths);
-  });
+  parallel_for(blocks,
+               [&](std::size_t block) { relax_block(law, flows, duration, block * block_size, lengths); });
 }
 
 }  // namespace fiberfate

@@ -53,8 +53,8 @@ template <class Body>
 void for_each_part(const OrientationPoints& points, const Body& body) {
   const std::size_t parts = (points.count + chunk - 1) / chunk;
   if (parts == 1) return body(points, 0);
-  parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::ptrdiff_t i) {
-    const std::size_t first = static_cast<std::size_t>(i) * chunk;
+  parallel_for(static_cast<std::ptrdiff_t>(parts), [&](std::size_t i) {
+    const std::size_t first = i * chunk;
     body(part_of(points, first, chunk), first);
   });
 }

@@ -42,10 +42,9 @@ Mat3 PrincipalAxesSteps::extrapolated(const Mat3& second, double step, double& e
     Mat3 before = row[0];
     row[0] = state;
     for (int k = 1; k < parts; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      const Mat3 higher = row[at - 1] + (row[at - 1] - before) * (static_cast<double>(parts - k) / k);
-      before = row[at];
-      row[at] = higher;
+      const Mat3 higher = row[k - 1] + (row[k - 1] - before) * (static_cast<double>(parts - k) / k);
+      before = row[k];
+      row[k] = higher;
     }
   }
   error = (row[order - 1] - row[order - 2]).norm();

@@ -110,8 +110,7 @@ HarmonicOperators harmonic_operators(int degree) {
   const int inside = (degree + 1) * (degree + 1);
   for (std::size_t i = 0; i < 3; ++i) operators.rotation[i] = in_real_basis(basis, turn[i]);
   for (std::size_t k = 0; k < 6; ++k) {
-    const auto row = static_cast<std::size_t>(row_of[k]), column = static_cast<std::size_t>(column_of[k]);
-    const ComplexSparse product = twice[row] * raise[column];
+    const ComplexSparse product = twice[row_of[k]] * raise[column_of[k]];
     operators.product[k] = in_real_basis(basis, product.topRows(inside));
   }
   operators.laplacian.resize(basis.cols());

@@ -62,12 +62,12 @@ Mat6 close(const Mat3& second, Closure closure) {
   alignas(64) Lanes state{}, units{}, columns{};
   const Vec6 a = to_components(second);
   for (int lane = 0; lane < block_lanes; ++lane)
-    for (int m = 0; m < 6; ++m) state[static_cast<std::size_t>(m * block_lanes + lane)] = a[m];
-  for (int n = 0; n < 6; ++n) units[static_cast<std::size_t>(n * block_lanes + n)] = 1 / multiplicity_of[n];
+    for (int m = 0; m < 6; ++m) state[m * block_lanes + lane] = a[m];
+  for (int n = 0; n < 6; ++n) units[n * block_lanes + n] = 1 / multiplicity_of[n];
   contract(closure, {state.data(), units.data(), columns.data()});
   Mat6 fourth;
   for (int m = 0; m < 6; ++m)
-    for (int n = 0; n < 6; ++n) fourth(m, n) = columns[static_cast<std::size_t>(m * block_lanes + n)];
+    for (int n = 0; n < 6; ++n) fourth(m, n) = columns[m * block_lanes + n];
   return fourth;
 }
 
@@ -78,13 +78,13 @@ Mat3 closed_double_dot(const Mat3& second, const Mat3& symmetric, Closure closur
   const Vec6 a = to_components(second), g = to_components(symmetric);
   for (int m = 0; m < 6; ++m) {
     for (int lane = 0; lane < block_lanes; ++lane) {
-      state[static_cast<std::size_t>(m * block_lanes + lane)] = a[m];
-      factor[static_cast<std::size_t>(m * block_lanes + lane)] = g[m];
+      state[m * block_lanes + lane] = a[m];
+      factor[m * block_lanes + lane] = g[m];
     }
   }
   contract(closure, {state.data(), factor.data(), product.data()});
   Vec6 result;
-  for (int m = 0; m < 6; ++m) result[m] = product[static_cast<std::size_t>(m * block_lanes)];
+  for (int m = 0; m < 6; ++m) result[m] = product[m * block_lanes];
   return to_matrix(result);
 }
 

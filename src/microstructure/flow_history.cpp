@@ -80,7 +80,7 @@ FlowHistory FlowHistory::in_steps(int pieces) const {
 
 std::size_t FlowHistory::row_at(double time) const {
   const auto after = std::ranges::upper_bound(rows_, time, {}, &FlowRow::time);
-  return after == rows_.begin() ? 0 : static_cast<std::size_t>(after - rows_.begin()) - 1;
+  return after == rows_.begin() ? 0 : after - rows_.begin() - 1;
 }
 
 bool FlowHistory::is_ramp(std::size_t row) const {

@@ -58,7 +58,7 @@ Sums sums_of(const MeasuredLengths& fibers) {
 std::size_t bin_of(double length, const std::vector<double>& edges) {
   if (length < edges.front() || length > edges.back()) return edges.size() - 1;
   const auto above = std::ranges::upper_bound(edges, length) - edges.begin();
-  return std::min(static_cast<std::size_t>(above), edges.size() - 1) - 1;
+  return std::min(above, std::ssize(edges) - 1) - 1;
 }
 
 void normalise(std::vector<double>& shares) {
@@ -137,7 +137,7 @@ std::vector<double> even_edges(const MeasuredLengths& fibers, int bins) {
   require_usable(fibers);
   if (bins < 1) throw InputError(fmt::format("{} bins hold nothing", bins), "take at least one");
   const double longest = std::ranges::max(fibers.lengths);
-  std::vector<double> edges(static_cast<std::size_t>(bins) + 1);
+  std::vector<double> edges(bins + 1);
   for (std::size_t k = 0; k < edges.size(); ++k) edges[k] = longest * static_cast<double>(k) / bins;
   edges.back() = longest;
   return edges;

@@ -101,7 +101,7 @@ OrientationInterval bootstrap_second_moment(const MeasuredDirections& fibers, do
   Vec6 lower, upper;
   const Vec6 estimate = to_components(interval.estimate);
   for (int m = 0; m < 6; ++m) {
-    const Interval one = percentile_interval(estimate[m], components[static_cast<std::size_t>(m)], level);
+    const Interval one = percentile_interval(estimate[m], components[m], level);
     lower[m] = one.lower;
     upper[m] = one.upper;
   }
