@@ -33,7 +33,7 @@ CsvTable node_table(const PolyFrame& frame) {
   const std::vector<double> curvature = numbers_of(frame.point_data, "curvature");
   for (std::size_t fiber = 0; fiber + 1 < frame.offsets.size(); ++fiber) {
     for (auto node = frame.offsets[fiber]; node < frame.offsets[fiber + 1]; ++node) {
-      const auto k = static_cast<std::size_t>(node);
+      const std::size_t k = node;
       const double along = first[fiber] + static_cast<double>(node - frame.offsets[fiber]);
       const std::array<double, 8> row = {static_cast<double>(fiber),
                                          birth[fiber],

@@ -29,7 +29,7 @@ std::string line_of(std::vector<std::string> cells) {
 
 void SweepTable::set(std::vector<std::string>& row, const std::string& column, std::string cell) {
   const auto found = std::ranges::find(columns_, column);
-  const auto place = static_cast<std::size_t>(found - columns_.begin());
+  const std::size_t place = found - columns_.begin();
   if (found == columns_.end()) columns_.push_back(column);
   row.resize(std::max(row.size(), place + 1));
   row[place] = std::move(cell);

@@ -43,7 +43,7 @@ bool write_all(int descriptor, const char* bytes, std::size_t count) {
     if (written == 0) errno = ENOSPC;
     if (written <= 0) return false;
     bytes += written;
-    count -= static_cast<std::size_t>(written);
+    count -= written;
   }
   return true;
 }
@@ -88,7 +88,7 @@ std::string read_file(const std::string& path) {
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw storage_error("cannot read", path);
     if (count == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(count));
+    text.append(buffer, count);
   }
 }
 

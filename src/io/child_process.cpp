@@ -93,7 +93,7 @@ std::string answer_of(const std::function<std::string()>& work) {
     const ssize_t written = ::write(pipe_end, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) ::_exit(1);
-    rest.remove_prefix(static_cast<std::size_t>(written));
+    rest.remove_prefix(written);
   }
   ::_exit(0);  // no destructors: what they would end belongs to the parent
 }
@@ -105,7 +105,7 @@ std::string read_all(int pipe_end) {
     const ssize_t count = ::read(pipe_end, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;
-    text.append(buffer.data(), static_cast<std::size_t>(count));
+    text.append(buffer.data(), count);
   }
 }
 

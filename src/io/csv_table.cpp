@@ -90,7 +90,7 @@ void CsvTable::append(std::span<const double> row) {
 const std::vector<double>& CsvTable::column(const std::string& name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);
   if (found == columns.end()) throw StorageError("a table has no column " + name);
-  return values[static_cast<std::size_t>(found - columns.begin())];
+  return values[found - columns.begin()];
 }
 
 CsvTable read_csv(const std::string& path) {

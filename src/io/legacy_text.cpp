@@ -30,7 +30,7 @@ void append_words(std::string_view line, int number, std::vector<LegacyWord>& wo
     const auto begin = std::find_if_not(line.begin(), line.end(), is_blank);
     const auto end = std::find_if(begin, line.end(), is_blank);
     if (begin != end) words.push_back({std::string(begin, end), number});
-    line.remove_prefix(static_cast<std::size_t>(end - line.begin()));
+    line.remove_prefix(end - line.begin());
   }
 }
 

@@ -51,9 +51,7 @@ std::optional<RowFault> fault_of(std::string_view line, std::size_t columns) {
   const auto odd = std::find_if_not(words.begin(), words.end(), [line](std::string_view word) {
     return number_of(word, line).has_value();
   });
-  const auto place_of = [line](std::string_view word) {
-    return static_cast<std::size_t>(word.data() - line.data());
-  };
+  const auto place_of = [line](std::string_view word) -> std::size_t { return word.data() - line.data(); };
   if (odd != words.end())
     return RowFault{fmt::format("'{}' is not a finite number", shortened(*odd)), place_of(*odd)};
   if (words.size() == columns) return std::nullopt;

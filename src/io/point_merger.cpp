@@ -23,7 +23,7 @@ PointMerger::Box PointMerger::box_of(const Vec3& point) const {
 std::optional<Index> PointMerger::find(const Vec3& point, const Box& box) const {
   const auto [first, last] = in_box_.equal_range(box);
   for (auto one = first; one != last; ++one)
-    if ((points_[static_cast<std::size_t>(one->second)] - point).norm() <= reach_) return one->second;
+    if ((points_[one->second] - point).norm() <= reach_) return one->second;
   return std::nullopt;
 }
 

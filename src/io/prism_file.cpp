@@ -36,7 +36,7 @@ void write_cells(Hdf5File& file, const PrismMesh& prisms) {
              std::vector<std::int64_t>{static_cast<std::int64_t>(connectivity.size())});
   write_list(file, "Connectivity", connectivity);
   write_list(file, "Offsets", offsets);
-  write_list(file, "Types", std::vector<std::uint8_t>(static_cast<std::size_t>(cells), wedge));
+  write_list(file, "Types", std::vector<std::uint8_t>(cells, wedge));
 }
 
 }  // namespace

@@ -88,9 +88,8 @@ std::size_t turn_to_agree(SurfaceMesh& mesh) {
     if (sides[first] != Side::unknown) continue;
     const Piece piece = walk(first, neighbours, sides);
     if (!piece.two_sided) continue;
-    const auto turned =
-        static_cast<std::size_t>(std::count_if(piece.triangles.begin(), piece.triangles.end(),
-                                               [&sides](std::size_t t) { return sides[t] == Side::turned; }));
+    const std::size_t turned = std::count_if(piece.triangles.begin(), piece.triangles.end(),
+                                             [&sides](std::size_t t) { return sides[t] == Side::turned; });
     const bool most = 2 * turned > piece.triangles.size();
     for (const std::size_t t : piece.triangles)
       if ((sides[t] == Side::turned) != most) {

@@ -71,7 +71,7 @@ class Flattener {
   [[nodiscard]] Span span_of(const toml::value& value) const {
     const auto* region = dynamic_cast<const toml::detail::region*>(toml::detail::get_region(value));
     if (region == nullptr) return {};
-    const auto begin = static_cast<std::size_t>(region->first() - region->begin());
+    const std::size_t begin = region->first() - region->begin();
     const std::size_t first = broken_.original(begin);
     return {first, broken_.original(begin + region->size()) - first};
   }
@@ -82,7 +82,7 @@ class Flattener {
   [[nodiscard]] InputPlace key_place(const toml::value& value) const {
     const std::size_t begin = span_of(value).begin;
     const InputPlace place = place_at(begin);
-    const auto column = static_cast<std::size_t>(place.column) - 1;
+    const std::size_t column = place.column - 1;
     const std::string_view before = text_.substr(begin - column, column);
     const auto equals = before.find_last_of('=');
     if (equals == std::string_view::npos) return place;

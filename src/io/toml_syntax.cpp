@@ -30,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
 template <class Set>
 std::string_view take_while(std::string_view& text, const Set& belongs) {
   const auto end = std::find_if_not(text.begin(), text.end(), belongs);
-  const std::string_view taken = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  const std::string_view taken = text.substr(0, end - text.begin());
   text.remove_prefix(taken.size());
   return taken;
 }

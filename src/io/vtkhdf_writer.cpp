@@ -166,7 +166,7 @@ void copy_frames(const std::string& from, const std::string& to, std::int64_t co
     throw StorageError("cannot continue " + from + ": it has fewer frames than the checkpoint counts");
   Hdf5File file = Hdf5File::create(to);
   for (std::int64_t i = 0; i < count; ++i) {
-    const PolyFrame frame = reader.read(static_cast<std::size_t>(i));
+    const PolyFrame frame = reader.read(i);
     if (i == 0) make_layout(file, frame);
     append_frame(file, frame);
   }

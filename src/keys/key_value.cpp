@@ -32,7 +32,7 @@ std::string shown_unit(double value, const Units& units) {
   const auto thousands = static_cast<int>(std::floor(std::log10(std::abs(value)) / 3 + 1e-9));
   const int limited =
       std::clamp(thousands, -least_prefix, static_cast<int>(prefixes.size()) - 1 - least_prefix);
-  return prefixes[static_cast<std::size_t>(limited + least_prefix)] + units.si;
+  return prefixes[limited + least_prefix] + units.si;
 }
 
 /// Finds the shortest number that, read in the unit, gives `value` back to the last digit.

@@ -28,7 +28,7 @@ std::optional<Vec3> read_three(const TomlValue& value) {
   if (items == nullptr || items->size() != 3) return {};
   Vec3 numbers;
   for (int i = 0; i < 3; ++i) {
-    const auto number = read_quantity((*items)[static_cast<std::size_t>(i)], {}, Range::any());
+    const auto number = read_quantity((*items)[i], {}, Range::any());
     if (!std::holds_alternative<double>(number)) return {};
     numbers[i] = std::get<double>(number);
   }
@@ -41,7 +41,7 @@ std::optional<Mat3> read_components(const TomlValue& value) {
   if (rows == nullptr || rows->size() != 3) return {};
   Mat3 tensor;
   for (int i = 0; i < 3; ++i) {
-    const auto row = read_three((*rows)[static_cast<std::size_t>(i)]);
+    const auto row = read_three((*rows)[i]);
     if (!row) return {};
     tensor.row(i) = row->transpose();
   }

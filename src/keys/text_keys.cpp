@@ -94,11 +94,10 @@ void describe_text_rows(KeyTable& table, const std::string& key, std::vector<Tex
       std::optional<Texts> row = texts_of((*items)[i]);
       if (!row || row->size() < 3)
         return {{"not a row of at least three entries", "give rows as " + example, &(*items)[i]}};
-      const auto column = static_cast<std::size_t>(path_column);
-      if (path_column >= 0 && (*row)[column].ends_with(".csv"))
-        (*row)[column] = std::filesystem::absolute(std::filesystem::path(folder) / (*row)[column])
-                             .lexically_normal()
-                             .string();
+      if (path_column >= 0 && (*row)[path_column].ends_with(".csv"))
+        (*row)[path_column] = std::filesystem::absolute(std::filesystem::path(folder) / (*row)[path_column])
+                                  .lexically_normal()
+                                  .string();
       rows.push_back(*row);
     }
     if (items == nullptr)

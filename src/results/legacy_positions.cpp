@@ -9,7 +9,7 @@ namespace fiberfate {
 
 std::vector<LegacyFiber> read_legacy_positions(const std::string& path) {
   LegacyNumbers words(path);
-  std::vector<LegacyFiber> fibers(static_cast<std::size_t>(words.count("the number of fibers")));
+  std::vector<LegacyFiber> fibers(words.count("the number of fibers"));
   for (std::size_t i = 0; i < fibers.size(); ++i) {
     const std::int64_t nodes = words.count(fmt::format("the number of nodes of fiber {}", i + 1));
     for (std::int64_t k = 0; k < nodes; ++k) {

@@ -130,7 +130,7 @@ Mat3 SummaryFile::tensor(const std::string& key) const {
   const auto found = document_->json.find(key);
   if (found == document_->json.end() || !found->is_array() || found->size() != 3) return tensor;
   for (int i = 0; i < 3; ++i) {
-    const std::vector<double> row = numbers_in((*found)[static_cast<std::size_t>(i)]);
+    const std::vector<double> row = numbers_in((*found)[i]);
     if (row.size() == 3) tensor.row(i) = Vec3(row[0], row[1], row[2]).transpose();
   }
   return tensor;

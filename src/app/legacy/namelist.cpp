@@ -40,7 +40,7 @@ std::vector<std::string> values_in(const std::string& text) {
   std::vector<std::string> values;
   for (std::sregex_iterator match(text.begin(), text.end(), word), end; match != end; ++match) {
     const int repeats = (*match)[1].matched ? std::stoi((*match)[1].str().substr(0, 4)) : 1;
-    values.insert(values.end(), static_cast<std::size_t>(repeats), (*match)[2].str());
+    values.insert(values.end(), repeats, (*match)[2].str());
   }
   return values;
 }
@@ -62,10 +62,10 @@ LegacyNamelist::LegacyNamelist(const std::string& path) : path_(path) {
   static const std::regex head(R"(([A-Za-z_]\w*)\s*(?:\(\s*(\d+)\s*(?::\s*\d+\s*)?\))?\s*=)");
   std::size_t values_begin = 0;
   for (std::sregex_iterator match(body.begin(), body.end(), head), end; match != end; ++match) {
-    const auto place = static_cast<std::size_t>(match->position());
+    const std::size_t place = match->position();
     if (!entries_.empty())
       entries_.back().values = values_in(body.substr(values_begin, place - values_begin));
-    values_begin = place + static_cast<std::size_t>(match->length());
+    values_begin = place + match->length();
     const int index = (*match)[2].matched ? std::stoi((*match)[2].str().substr(0, 4)) : 0;
     entries_.push_back(
         {lowered((*match)[1].str()), (*match)[1].str(), index, {}, line_at(text, body_begin + place)});
@@ -117,13 +117,13 @@ std::optional<std::vector<double>> LegacyNamelist::numbers(const std::string& ke
   std::vector<std::optional<double>> found(count);
   for (const NamelistEntry& entry : entries_) {
     if (entry.key != name) continue;
-    const auto first = static_cast<std::size_t>(std::max(entry.index, 1) - 1);
+    const std::size_t first = std::max(entry.index, 1) - 1;
     if (first + entry.values.size() > count)
       throw InputError({problem(key, fmt::format("it has only {} components", count), "remove the others")});
     for (std::size_t i = 0; i < entry.values.size(); ++i) found[first + i] = number_of(entry, i);
   }
-  const auto given = static_cast<std::size_t>(
-      std::count_if(found.begin(), found.end(), [](const auto& one) { return one.has_value(); }));
+  const std::size_t given =
+      std::count_if(found.begin(), found.end(), [](const auto& one) { return one.has_value(); });
   if (given == 0) return std::nullopt;
   if (given < count)
     throw InputError(
