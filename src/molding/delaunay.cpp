@@ -45,7 +45,7 @@ class EdgeTurner {
   }
 
  private:
-  const Vec3& at(Index node) const { return shell_.nodes[static_cast<std::size_t>(node)]; }
+  const Vec3& at(Index node) const { return shell_.nodes[node]; }
   /// Finds the node of a triangle that is not on the edge.
   Index opposite(std::size_t triangle, const Edge& edge) const {
     for (const Index node : result_.corners[triangle])
@@ -93,8 +93,7 @@ class EdgeTurner {
     // Seen from the side of the normals, triangle one runs a, b, c.
     const auto& corner = result_.corners[one];
     const auto place = std::find(corner.begin(), corner.end(), c) - corner.begin();
-    const Index a = corner[static_cast<std::size_t>(place + 1) % 3],
-                b = corner[static_cast<std::size_t>(place + 2) % 3];
+    const Index a = corner[(place + 1) % 3], b = corner[(place + 2) % 3];
     const double first = normal(one).norm(), second = normal(two).norm();
     const double h = (first * result_.thickness[one] + second * result_.thickness[two]) / (first + second);
     remove_sides(one);

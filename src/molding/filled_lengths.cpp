@@ -74,7 +74,7 @@ template <class Body>
 double FilledLengths::visit_wet(std::span<const Index> nodes, const Body& body) const {
   double volumes = 0;
   for (const Index index : nodes) {
-    const auto node = static_cast<std::size_t>(index);
+    const std::size_t node = index;
     if (!is_wet(node)) continue;
     const double volume = filling_.mesh().volume(node) * filling_.state().filled[node];
     volumes += volume;

@@ -132,8 +132,7 @@ std::vector<double> Filling::Parts::stretching_now() const {
   const std::ptrdiff_t place =
       coupling.length_set < 0
           ? -1
-          : static_cast<std::ptrdiff_t>(lengths.field_begin(static_cast<std::size_t>(coupling.length_set))) +
-                coupling.length_class;
+          : static_cast<std::ptrdiff_t>(lengths.field_begin(coupling.length_set)) + coupling.length_class;
   return ViscosityStretch({mesh, layers}, params.fibers, place).at(state, field);
 }
 
@@ -152,7 +151,7 @@ void Filling::Parts::measure_gates() {
     if (links[place].front == GateFront::inside) state.gates[open_gates[place]].pressure = 0;
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
     if (step.gate_volume[i] == 0) continue;
-    GateState& gate = state.gates[static_cast<std::size_t>(step.gate[i])];
+    GateState& gate = state.gates[step.gate[i]];
     gate.rate += step.gate_volume[i] / step.duration;
     gate.volume += step.gate_volume[i];
   }

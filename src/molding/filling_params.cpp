@@ -141,7 +141,7 @@ void check_coupling(const MoldingFibers& fibers, Problems& problems) {
   const auto sets = static_cast<int>(fibers.length_sets.size());
   const auto classes = static_cast<int>(fibers.class_lengths.size());
   if (c.length_set >= 0 && (c.length_set >= sets || c.length_class < 0 || c.length_class >= classes ||
-                            !fibers.length_sets[static_cast<std::size_t>(c.length_set)].law->relaxation()))
+                            !fibers.length_sets[c.length_set].law->relaxation()))
     add(problems, "fibers.coupling.length_set", c.length_set, "there is no such length",
         "name a set of a relaxation law and a class, counted from 0");
 }

@@ -166,9 +166,8 @@ Vec2 FlowSolver::gradient_at(const FillingState& state, const FlowField& field, 
 
 double FlowSolver::update_melt(FillingState& state, std::span<const double> stretching, FlowField& field) {
   const std::size_t layers = layers_->count();
-  parallel_for(static_cast<std::ptrdiff_t>(mesh_->node_count()), [&](std::ptrdiff_t i) {
-    if (field.wet[i] == 0) return;
-    const auto node = static_cast<std::size_t>(i);
+  parallel_for(static_cast<std::ptrdiff_t>(mesh_->node_count()), [&](std::size_t node) {
+    if (field.wet[node] == 0) return;
     state.pressure[node] = field.pressure[node];
     field.gradient[node] = gradient_at(state, field, node);
     const double stress = field.gradient[node].norm() * mesh_->thickness(node) / 2;  // at the wall
@@ -194,8 +193,8 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
   for (std::size_t i = 0; i < n; ++i)
     if (field.wet[i] != 0 && drive.duration > 0) field.source[i] = state.excess[i] / drive.duration;
   change_.assign(n, 0);
-  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
-    if (field.wet[i] != 0) update_node(state, stretching, static_cast<std::size_t>(i), field);
+  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::size_t node) {
+    if (field.wet[node] != 0) update_node(state, stretching, node, field);
   });
   for (int iteration = 0; iteration < params_->numerics.most_iterations; ++iteration) {
     update_conductances(state, field);

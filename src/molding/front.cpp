@@ -43,7 +43,7 @@ void pass_overflow(const FlowSolver& solver, StepFlow& step, FillingState& state
   std::vector<char> queued(content.size(), 0);
   for (const Index node : queue) queued[node] = 1;
   for (std::size_t place = 0; place < queue.size(); ++place) {
-    const auto node = static_cast<std::size_t>(queue[place]);
+    const std::size_t node = queue[place];
     const double overflow = content[node] - mesh.volume(node);
     const auto takes = [&](const ShellNeighbour& to) {
       return step.at_front[to.node] != 0 && queued[to.node] == 0;
@@ -135,7 +135,7 @@ void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state
 
 void mark_last(FillingState& state) {
   const auto last = std::max_element(state.fill_time.begin(), state.fill_time.end());
-  state.mark[static_cast<std::size_t>(last - state.fill_time.begin())] = NodeMark::last_filled;
+  state.mark[last - state.fill_time.begin()] = NodeMark::last_filled;
 }
 
 }  // namespace fiberfate

@@ -17,7 +17,7 @@ constexpr double sensor_reach = 1e-3;
 /// Writes an event as case files do.
 std::string text_of(const Trigger& trigger, const std::vector<Sensor>& sensors) {
   const std::string at = trigger.sensor >= 0 && trigger.sensor < std::ssize(sensors)
-                             ? " at " + sensors[static_cast<std::size_t>(trigger.sensor)].name
+                             ? " at " + sensors[trigger.sensor].name
                              : "";
   switch (trigger.kind) {
     case TriggerKind::start:

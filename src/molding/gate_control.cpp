@@ -23,7 +23,7 @@ GateControl::GateControl(const ShellMesh& mesh, const FillingParams& params)
 }
 
 const Trigger* GateControl::next_trigger(std::size_t gate, const FillingState& state) const {
-  const auto moves = static_cast<std::size_t>(state.gates[gate].moves);
+  const std::size_t moves = state.gates[gate].moves;
   const std::vector<OpenInterval>& intervals = params_->gates[gate].intervals;
   if (moves / 2 >= intervals.size()) return nullptr;
   return moves % 2 == 0 ? &intervals[moves / 2].opens : &intervals[moves / 2].closes;
@@ -31,7 +31,7 @@ const Trigger* GateControl::next_trigger(std::size_t gate, const FillingState& s
 
 double GateControl::arrival(const Trigger& trigger, std::size_t gate, const FillingState& state) const {
   if (trigger.sensor == own_gate) return state.gates[gate].arrival_time;
-  return state.sensor_arrivals[static_cast<std::size_t>(trigger.sensor)];
+  return state.sensor_arrivals[trigger.sensor];
 }
 
 bool GateControl::fires(const Trigger& trigger, std::size_t gate, const FillingState& state) const {

@@ -36,7 +36,7 @@ double distance_to_part(const Vec3& x, const ShellMesh& mesh) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& triangle : mesh.shell().triangles) {
     std::array<Vec3, 3> corner;
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.shell().nodes[static_cast<std::size_t>(triangle[k])];
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = mesh.shell().nodes[triangle[k]];
     nearest = std::min(nearest, distance_to_triangle(x, corner));
   }
   return nearest;
@@ -73,7 +73,7 @@ double dual_angle(const std::array<Vec3, 3>& corner, const Vec3& centre) {
 std::vector<LeavingEdge> leaving_edges(std::span<const Index> nodes, const Vec3& centre,
                                        const ShellMesh& mesh) {
   const auto inside = [&](Index node) { return std::binary_search(nodes.begin(), nodes.end(), node); };
-  const auto at = [&](Index node) { return mesh.shell().nodes[static_cast<std::size_t>(node)]; };
+  const auto at = [&](Index node) { return mesh.shell().nodes[node]; };
   std::map<Index, LeavingEdge> by_edge;
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
@@ -127,8 +127,7 @@ double GateEdge::front_factor(double filled) const {
 std::vector<GateEdge> edges_of_round_gate(const Gate& gate, std::span<const Index> nodes,
                                           const ShellMesh& mesh) {
   if (gate.end) return {};
-  const Vec3 centre =
-      nodes.size() == 1 ? mesh.shell().nodes[static_cast<std::size_t>(nodes.front())] : gate.position;
+  const Vec3 centre = nodes.size() == 1 ? mesh.shell().nodes[nodes.front()] : gate.position;
   std::vector<LeavingEdge> leaving = leaving_edges(nodes, centre, mesh);
   double whole = 0, forward = 0;
   for (const LeavingEdge& one : leaving) {

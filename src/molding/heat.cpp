@@ -80,7 +80,7 @@ void HeatTransport::advance_node(std::size_t node, const MeltMotion& motion, Fil
   for (const ShellNeighbour& from : mesh_->neighbours(node)) {
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
-    const auto there = static_cast<std::size_t>(from.node);
+    const std::size_t there = from.node;
     for (std::size_t k = 0; k < count; ++k)
       system.right[k] +=
           volume * motion.share(there, node, k) * (state.temperature[there * count + k] - mold);
@@ -119,7 +119,7 @@ void HeatTransport::begin(const StepFlow& step, const FlowField& field) {
 }
 
 void HeatTransport::advance(std::span<const Index> nodes, const MeltMotion& motion, FillingState& state) {
-  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), motion, state);
+  for (const Index node : nodes) advance_node(node, motion, state);
 }
 
 void HeatTransport::end(FillingState& state) const {

@@ -33,7 +33,7 @@ void add_surface_derivatives(const ShellMesh& mesh, const MeltMotion& motion, st
   const double here = mobility(node);
   for (const ShellNeighbour& to : mesh.neighbours(node)) {
     if (step.at_front[to.node] != 0) continue;
-    const auto other = static_cast<std::size_t>(to.node);
+    const std::size_t other = to.node;
     const double x = (yy * to.direction[0] - xy * to.direction[1]) / (det * to.length);
     const double y = (xx * to.direction[1] - xy * to.direction[0]) / (det * to.length);
     const Vec2 there = mobility(other) * turned(to.turn, field.gradient[other]);

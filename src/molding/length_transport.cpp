@@ -144,7 +144,7 @@ void LengthTransport::mix(LayerOfNode at, const MeltMotion& motion, std::span<do
   for (const ShellNeighbour& from : mesh_->neighbours(node)) {
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
-    const auto there = static_cast<std::size_t>(from.node);
+    const std::size_t there = from.node;
     take(&state.lengths[(there * count + layer) * fields], volume * motion.share(there, node, layer),
          sum.data());
   }
@@ -205,7 +205,7 @@ void LengthTransport::advance(std::span<const Index> nodes, const MeltMotion& mo
   scratch.survival.resize(phelps_.size() * layers_->count());
   scratch.limit.resize(phelps_.size() * layers_->count());
   scratch.sum.resize(field_count());
-  for (const Index node : nodes) advance_node(static_cast<std::size_t>(node), motion, state, scratch);
+  for (const Index node : nodes) advance_node(node, motion, state, scratch);
 }
 
 }  // namespace fiberfate

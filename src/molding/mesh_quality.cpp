@@ -19,7 +19,7 @@ std::size_t reach_of(const ShellMesh& mesh, std::span<const Gate> gates) {
   std::vector<char> reached(mesh.node_count(), 0);
   std::vector<Index> ring, next;
   const auto add = [&](std::vector<Index>& nodes, Index node) {
-    if (std::exchange(reached[static_cast<std::size_t>(node)], 1) == 0) nodes.push_back(node);
+    if (std::exchange(reached[node], 1) == 0) nodes.push_back(node);
   };
   for (const Gate& gate : gates)
     for (const Index node : nodes_of(gate, mesh)) add(ring, node);
@@ -27,7 +27,7 @@ std::size_t reach_of(const ShellMesh& mesh, std::span<const Gate> gates) {
   while (!ring.empty()) {
     next.clear();
     for (const Index node : ring)
-      for (const ShellNeighbour& to : mesh.neighbours(static_cast<std::size_t>(node))) add(next, to.node);
+      for (const ShellNeighbour& to : mesh.neighbours(node)) add(next, to.node);
     if (!next.empty()) ++reach;
     std::swap(ring, next);
   }
@@ -37,8 +37,7 @@ std::size_t reach_of(const ShellMesh& mesh, std::span<const Gate> gates) {
 double cut_off_share(const ShellMesh& mesh) {
   std::vector<double> weights(mesh.edges().size(), 0);
   for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      weights[static_cast<std::size_t>(mesh.edges_of(t)[k])] += mesh.half_cotangents(t)[k];
+    for (std::size_t k = 0; k < 3; ++k) weights[mesh.edges_of(t)[k]] += mesh.half_cotangents(t)[k];
   double all = 0, negative = 0;
   for (const double weight : weights) {
     all += std::abs(weight);

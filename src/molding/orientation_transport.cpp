@@ -53,7 +53,7 @@ OrientationTransport::OrientationTransport(const ShellMesh& mesh, const FillingP
 }
 
 Components OrientationTransport::inlet(std::size_t node, int gate, const FlowField& field) const {
-  const auto g = static_cast<std::size_t>(gate);
+  const std::size_t g = gate;
   const MoldingFibers& fibers = params_->fibers;
   const bool own = g < fibers.gate_inlets.size() && fibers.gate_inlets[g];
   const InletFibers& inlet = own ? *fibers.gate_inlets[g] : fibers.inlet;
@@ -91,7 +91,7 @@ Components OrientationTransport::mixed(LayerOfNode at, const MeltMotion& motion,
   for (const ShellNeighbour& from : mesh_->neighbours(node)) {
     const double volume = step.inflow(node, from);
     if (!(volume > 0)) continue;
-    const auto there = static_cast<std::size_t>(from.node);
+    const std::size_t there = from.node;
     const Components a = second(there * count + layer);
     take(from.turn[0] < 1 ? turned(from.turn, a) : a, volume * motion.share(there, node, layer));
   }
@@ -115,7 +115,7 @@ void OrientationTransport::load(std::span<const Index> nodes, const MeltMotion& 
   for (auto& component : batch.gradient) component.clear();
   for (std::size_t k = 0; k < count; ++k)
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      const auto node = static_cast<std::size_t>(nodes[n]);
+      const std::size_t node = nodes[n];
       const std::size_t point = node * count + k;
       const double content = step.content[node] * layers_->widths()[k];
       const double total = content + step.layer_inflow[point];
@@ -161,7 +161,7 @@ void OrientationTransport::advance(std::span<const Index> nodes, const MeltMotio
   batch.of_node.resize(nodes.size());
   bool fountain = false;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const auto node = static_cast<std::size_t>(nodes[n]);
+    const std::size_t node = nodes[n];
     find_layer_gradients(*mesh_, motion, node, batch.of_node[n]);
     fountain = fountain || motion.step.at_front[node] != 0;
   }

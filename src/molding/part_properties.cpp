@@ -116,9 +116,7 @@ ThermoelasticProperties matrix_properties(const CompositeMaterial& material) {
 
 /// Makes the axes of a triangle: the largest principal value of A2 in its plane, across it, the normal.
 Mat3 material_axes(const Shell& shell, std::size_t triangle, const Mat3& second) {
-  const auto at = [&](std::size_t k) {
-    return shell.nodes[static_cast<std::size_t>(shell.triangles[triangle][k])];
-  };
+  const auto at = [&](std::size_t k) { return shell.nodes[shell.triangles[triangle][k]]; };
   Mat3 frame;
   frame.col(2) = (at(1) - at(0)).cross(at(2) - at(0)).normalized();
   frame.col(0) = (at(1) - at(0)).normalized();
@@ -142,17 +140,14 @@ std::vector<TriangleProperties> properties_of(const FilledLengths& lengths, cons
   const AlignedTable table(solid);
   const Shell& shell = lengths.filling().mesh().shell();
   std::vector<ThermoelasticProperties> by_node(shell.nodes.size(), matrix_properties(solid.composite));
-  parallel_for(static_cast<std::ptrdiff_t>(by_node.size()), [&](std::ptrdiff_t i) {
-    const auto node = static_cast<std::size_t>(i);
+  parallel_for(by_node.size(), [&](std::size_t node) {
     if (lengths.is_wet(node)) by_node[node] = node_properties(lengths, table, node, range);
   });
   std::vector<TriangleProperties> properties(shell.triangles.size());
-  parallel_for(static_cast<std::ptrdiff_t>(properties.size()), [&](std::ptrdiff_t t) {
-    const auto triangle = static_cast<std::size_t>(t);
+  parallel_for(properties.size(), [&](std::size_t triangle) {
     ThermoelasticProperties mean;
     Mat3 second = Mat3::Zero();
-    for (const Index index : shell.triangles[triangle]) {
-      const auto node = static_cast<std::size_t>(index);
+    for (const std::size_t node : shell.triangles[triangle]) {
       mean.stiffness += by_node[node].stiffness / 3;
       mean.thermal_stress += by_node[node].thermal_stress / 3;
       if (lengths.is_wet(node)) second += node_orientation(lengths, node, range) / 3;

@@ -48,10 +48,7 @@ std::string place(const Vec3& x) {
 
 Vec3 centre(const Shell& shell, std::size_t t) {
   const auto& corner = shell.triangles[t];
-  return (shell.nodes[static_cast<std::size_t>(corner[0])] +
-          shell.nodes[static_cast<std::size_t>(corner[1])] +
-          shell.nodes[static_cast<std::size_t>(corner[2])]) /
-         3;
+  return (shell.nodes[corner[0]] + shell.nodes[corner[1]] + shell.nodes[corner[2]]) / 3;
 }
 
 void check_sizes(const Shell& shell) {
@@ -76,7 +73,7 @@ void check_sizes(const Shell& shell) {
 void check_triangles(const Shell& shell, FaultList& faults) {
   for (std::size_t t = 0; t < shell.triangles.size(); ++t) {
     std::array<Vec3, 3> x;
-    for (std::size_t k = 0; k < 3; ++k) x[k] = shell.nodes[static_cast<std::size_t>(shell.triangles[t][k])];
+    for (std::size_t k = 0; k < 3; ++k) x[k] = shell.nodes[shell.triangles[t][k]];
     const double longest =
         std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()});
     const double twice_area = (x[1] - x[0]).cross(x[2] - x[0]).norm();
@@ -117,8 +114,7 @@ void check_edges(const Shell& shell, FaultList& faults) {
   const std::vector<HalfEdge> all = half_edges(shell);
   for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
     while (end < all.size() && all[end].low == all[begin].low && all[end].high == all[begin].high) ++end;
-    const std::string where = place(0.5 * (shell.nodes[static_cast<std::size_t>(all[begin].low)] +
-                                           shell.nodes[static_cast<std::size_t>(all[begin].high)]));
+    const std::string where = place(0.5 * (shell.nodes[all[begin].low] + shell.nodes[all[begin].high]));
     if (end - begin > 2 && shell.junctions == Junctions::refused)
       faults.add("edges of more than two triangles",
                  fmt::format("the edge of nodes {} and {} at {} belongs to {} triangles", all[begin].low,
@@ -138,9 +134,7 @@ void check_seams(const Shell& shell, const std::vector<int>& rim_edges, FaultLis
   double shortest = std::numeric_limits<double>::infinity();
   for (const auto& corner : shell.triangles)
     for (std::size_t k = 0; k < 3; ++k)
-      shortest = std::min(shortest, (shell.nodes[static_cast<std::size_t>(corner[k])] -
-                                     shell.nodes[static_cast<std::size_t>(corner[(k + 1) % 3])])
-                                        .norm());
+      shortest = std::min(shortest, (shell.nodes[corner[k]] - shell.nodes[corner[(k + 1) % 3]]).norm());
   const double reach = seam_share * shortest;
   const Vec3 direction = Vec3(1, 0.6180, 0.4142).normalized();
   std::vector<std::pair<double, std::size_t>> rim;
@@ -164,8 +158,8 @@ void check_rims(const Shell& shell, FaultList& faults) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto same = [&](std::size_t j) { return all[j].low == all[i].low && all[j].high == all[i].high; };
     if ((i > 0 && same(i - 1)) || (i + 1 < all.size() && same(i + 1))) continue;
-    ++rim_edges[static_cast<std::size_t>(all[i].low)];
-    ++rim_edges[static_cast<std::size_t>(all[i].high)];
+    ++rim_edges[all[i].low];
+    ++rim_edges[all[i].high];
   }
   if (std::ranges::all_of(rim_edges, [](int edges) { return edges == 0; }))
     faults.add("closed surfaces",
@@ -190,10 +184,10 @@ void check_connection(const Shell& shell, FaultList& faults) {
   std::vector<char> used(shell.nodes.size(), 0);
   for (const auto& corner : shell.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
-      used[static_cast<std::size_t>(corner[k])] = 1;
-      root[find(static_cast<std::size_t>(corner[k]))] = find(static_cast<std::size_t>(corner[(k + 1) % 3]));
+      used[corner[k]] = 1;
+      root[find(corner[k])] = find(corner[(k + 1) % 3]);
     }
-  const std::size_t first = find(static_cast<std::size_t>(shell.triangles.front()[0]));
+  const std::size_t first = find(shell.triangles.front()[0]);
   std::vector<char> reported(shell.nodes.size(), 0);
   for (std::size_t i = 0; i < shell.nodes.size(); ++i) {
     if (used[i] == 0) {

@@ -72,7 +72,7 @@ void sort_into_levels(const ShellMesh& mesh, StepFlow& step) {
     const std::size_t begin = step.level_begin.back(), end = step.order.size();
     step.level_begin.push_back(end);
     for (std::size_t place = begin; place < end; ++place) {
-      const auto node = static_cast<std::size_t>(step.order[place]);
+      const std::size_t node = step.order[place];
       for (const ShellNeighbour& to : mesh.neighbours(node))
         if (step.inflow(node, to) < 0 && --waiting[to.node] == 0) step.order.push_back(to.node);
     }
@@ -82,7 +82,7 @@ void sort_into_levels(const ShellMesh& mesh, StepFlow& step) {
 void inherit_at_front(const Cavity& cavity, const StepFlow& step, FlowField& field, FillingState& state) {
   const std::size_t count = cavity.layers.count();
   for (const Index index : step.order) {
-    const auto node = static_cast<std::size_t>(index);
+    const std::size_t node = index;
     if (step.at_front[node] == 0) continue;
     double total = 0;
     LayerVolumes share{}, rate{}, inverse{};
@@ -96,7 +96,7 @@ void inherit_at_front(const Cavity& cavity, const StepFlow& step, FlowField& fie
       gradient += volume * Vec2(from.turn[0] * there[0] - from.turn[1] * there[1],
                                 from.turn[1] * there[0] + from.turn[0] * there[1]);
       fluidity += volume * field.fluidity[from.node];
-      const std::size_t begin = static_cast<std::size_t>(from.node) * count;
+      const std::size_t begin = from.node * count;
       for (std::size_t k = 0; k < count; ++k) {
         share[k] += volume * field.shares[begin + k];
         rate[k] += volume * state.rate[begin + k];
@@ -124,11 +124,11 @@ void split_by_layers(const Cavity& cavity, const FlowField& field, StepFlow& ste
   step.transfers.resize(n * (count - 1));
   step.transfer_count.assign(n, 0);
   parallel_for(static_cast<std::ptrdiff_t>(step.order.size()), [&](std::ptrdiff_t place) {
-    const auto node = static_cast<std::size_t>(step.order[place]);
+    const std::size_t node = step.order[place];
     LayerVolumes in{}, out{};
     for (const ShellNeighbour& other : cavity.mesh.neighbours(node)) {
       const double volume = step.inflow(node, other);
-      const auto there = static_cast<std::size_t>(other.node);
+      const std::size_t there = other.node;
       for (std::size_t k = 0; k < count && volume > 0; ++k) in[k] += volume * motion.share(there, node, k);
       for (std::size_t k = 0; k < count && volume < 0; ++k) out[k] -= volume * motion.share(node, there, k);
     }

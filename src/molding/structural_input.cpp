@@ -55,8 +55,7 @@ class EdgeMiddles {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = corner[k], b = corner[(k + 1) % 3];
         if (!numbers_.try_emplace(std::minmax(a, b), next_).second) continue;
-        const Vec3 middle =
-            0.5 * (shell.nodes[static_cast<std::size_t>(a)] + shell.nodes[static_cast<std::size_t>(b)]);
+        const Vec3 middle = 0.5 * (shell.nodes[a] + shell.nodes[b]);
         fmt::format_to(out, "{}, {:.9g}, {:.9g}, {:.9g}\n", next_++, middle.x(), middle.y(), middle.z());
       }
   }

@@ -34,8 +34,7 @@ std::vector<double> ViscosityStretch::at(const FillingState& state, const FlowFi
   const std::size_t place = length_field_ < 0 ? 0 : static_cast<std::size_t>(length_field_);
   const Closure closure = fibers_.orientation->closure;
   std::vector<double> stretching(n * count, 1);
-  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t i) {
-    const auto node = static_cast<std::size_t>(i);
+  parallel_for(static_cast<std::ptrdiff_t>(n), [&](std::size_t node) {
     if (!(state.filled[node] > 0) || field.gradient.size() != n) return;
     const Vec2 gradient = field.gradient[node];
     if (!(gradient.norm() > 0)) return;
