@@ -20,7 +20,7 @@ namespace {
 int startable_threads(int wanted) {
   std::atomic<bool> over = false;
   std::vector<std::thread> threads;
-  threads.reserve(static_cast<std::size_t>(wanted));
+  threads.reserve(wanted);
   try {
     while (static_cast<int>(threads.size()) + 1 < wanted) threads.emplace_back([&over] { over.wait(false); });
   } catch (const std::exception&) {  // std::system_error, or no memory for it

@@ -86,7 +86,7 @@ double attrition_bytes(const AttritionCase& values) {
   const bool bins = needs_bins(values.law) || needs_bins(values.compared);
   return static_cast<double>(peak_memory_bytes()) +
          bytes_a_row * static_cast<double>(output_times(values).size()) +
-         (bins ? PhelpsSolver::memory_bytes(static_cast<std::size_t>(values.fibers.bins)) : 0);
+         (bins ? PhelpsSolver::memory_bytes(values.fibers.bins) : 0);
 }
 
 CaseEstimate estimate_attrition(const AttritionCase& values) {

@@ -168,8 +168,7 @@ void validate_calibration(const CalibrationCase& values, CaseChecker& checker) {
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems())
       if (problem.key == "data.series")
-        checker.error_in_row(problem.key, static_cast<std::size_t>(problem.line) - 1, problem.complaint,
-                             problem.remedy);
+        checker.error_in_row(problem.key, problem.line - 1, problem.complaint, problem.remedy);
       else
         checker.error(molds ? "data.lengths" : "data.series", problem.complaint, problem.remedy);
   }

@@ -105,7 +105,7 @@ MeasuredSeries read_series(const CalibrationCase& values, const std::vector<std:
   MeasuredSeries series;
   series.name = fmt::format("{}: {}", row[0], row[1]);
   series.unit = quantity.unit;
-  series.condition = static_cast<std::size_t>(condition - names.begin());
+  series.condition = condition - names.begin();
   series.observed = quantity.observed;
   series.row = quantity.row;
   series.column = quantity.column_of_tensor;

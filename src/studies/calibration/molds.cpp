@@ -27,7 +27,7 @@ std::size_t place_of(const MoldExperiment& experiment, const std::string& name) 
   const auto found = std::find_if(places.begin(), places.end(),
                                   [&name](const NamedPlace& place) { return place.name == name; });
   if (found == places.end()) throw InputError(fmt::format("there is no place \"{}\"", name), "");
-  return static_cast<std::size_t>(found - places.begin());
+  return found - places.begin();
 }
 
 /// One measured series, as its condition predicts it.
@@ -73,7 +73,7 @@ MoldPredictor::MoldPredictor(const CalibrationCase& values, const std::vector<Me
   SweepRequest request;
   request.lower = *sweep.lower;
   request.upper = *sweep.upper;
-  request.count = static_cast<std::size_t>(sweep.count);
+  request.count = sweep.count;
   request.spacing = sweep.spacing;
   values_ = swept_values(request);
 }
@@ -112,10 +112,8 @@ std::map<std::size_t, std::vector<double>> MoldPredictor::lengths_by_replay(
     return experiments_.at(condition).fillings() > 0;
   });
   if (filled) {
-    parallel_for(static_cast<std::ptrdiff_t>(conditions.size()), [&](std::ptrdiff_t i) {
-      const auto at = static_cast<std::size_t>(i);
-      found[at] = lengths(conditions[at], parameters);
-    });
+    parallel_for(static_cast<std::ptrdiff_t>(conditions.size()),
+                 [&](std::size_t at) { found[at] = lengths(conditions[at], parameters); });
   } else {
     for (std::size_t i = 0; i < conditions.size(); ++i) found[i] = lengths(conditions[i], parameters);
   }
@@ -182,7 +180,7 @@ std::vector<MeasuredSeries> molded_series(const CalibrationCase& values) {
     MeasuredSeries series;
     series.name = fmt::format("{}: {} at {}", row.condition, number ? "L_N" : "L_W", row.place);
     series.unit = std::string("m");  // gcc 12 warns falsely of a literal assigned here
-    series.condition = static_cast<std::size_t>(condition - names.begin());
+    series.condition = condition - names.begin();
     series.observed = number ? Observed::number_average : Observed::weight_average;
     series.place = row.place;
     series.values = row.samples;

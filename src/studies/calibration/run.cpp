@@ -248,7 +248,7 @@ class OneFit {
     const double value = result_.values[request.parameter];
     request.lower = values_.sweep.lower.value_or(0.1 * value);
     request.upper = values_.sweep.upper.value_or(10 * value);
-    request.count = static_cast<std::size_t>(values_.sweep.count);
+    request.count = values_.sweep.count;
     request.spacing = values_.sweep.spacing;
     const bool molds = calibrates_in_molds(values_);
     if (molds) add(summary, "coupled", std::string(feels_fibers(values_, series_) ? "yes" : "no"));

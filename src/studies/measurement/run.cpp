@@ -83,7 +83,7 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome, Session& 
 
 /// How densely directions lie, over the mean; a direction and its opposite are one.
 CsvTable pole_figure(const MeasuredDirections& fibers) {
-  std::vector<double> density(static_cast<std::size_t>(azimuth_bins * height_bins), 0.0);
+  std::vector<double> density(azimuth_bins * height_bins, 0.0);
   double sum = 0;
   for (std::size_t i = 0; i < fibers.directions.size(); ++i) {
     Vec3 p = fibers.directions[i].normalized();
@@ -99,7 +99,7 @@ CsvTable pole_figure(const MeasuredDirections& fibers) {
   CsvTable table{{"phi_deg", "cos_theta", "density"}};
   for (int k = 0; k < azimuth_bins * height_bins; ++k)
     table.append({(k % azimuth_bins + 0.5) * 360.0 / azimuth_bins, (k / azimuth_bins + 0.5) / height_bins,
-                  density[static_cast<std::size_t>(k)] * azimuth_bins * height_bins / sum});
+                  density[k] * azimuth_bins * height_bins / sum});
   return table;
 }
 

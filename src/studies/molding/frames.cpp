@@ -30,7 +30,7 @@ FrameArray orientation_array(const MoldingFields& fields) {
   for (std::size_t i = 0; i < nodes; ++i) {
     if (!fields.is_wet(i)) continue;
     const Vec6 components = to_components(fields.filling().mean_orientation(i));
-    for (int k = 0; k < 6; ++k) numbers[6 * i + static_cast<std::size_t>(k)] = single(components[k]);
+    for (int k = 0; k < 6; ++k) numbers[6 * i + k] = single(components[k]);
   }
   return {"A2", "1", 6, std::move(numbers)};
 }
@@ -91,8 +91,7 @@ PolyFrame part_frame(const MoldingFields& fields, FrameGeometry geometry) {
                       node_array("rate", "1/s", fields, filling.gap_average(state.rate))};
   if (fields.setup().params.fibers.orientation) frame.point_data.push_back(orientation_array(fields));
   if (fields.set_count() > 0) add_lengths(fields, 0, "", frame);
-  if (fields.setup().compared_set >= 0)
-    add_lengths(fields, static_cast<std::size_t>(fields.setup().compared_set), "_compared", frame);
+  if (fields.setup().compared_set >= 0) add_lengths(fields, fields.setup().compared_set, "_compared", frame);
   frame.frame_data = {{"filled_fraction", "1", 1, std::vector<double>{filling.filled_fraction()}}};
   return frame;
 }

@@ -32,7 +32,7 @@ double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
                    const std::vector<double>& values) {
   double sum = 0, weights = 0;
   for (const Index index : nodes) {
-    const auto node = static_cast<std::size_t>(index);
+    const std::size_t node = index;
     if (!fields.is_wet(node)) continue;
     const double volume = fields.filling().mesh().volume(node);
     sum += volume * values[node];
@@ -101,7 +101,7 @@ CsvTable histogram_table(const MoldingFields& fields, const Samples& samples) {
   for (const double set : sets) {
     append_length_shares(table, {-1, set}, inlet, edges);
     for (std::size_t p = 0; p < samples.size(); ++p) {
-      const LengthClasses all = fields.population(static_cast<std::size_t>(set), samples[p]);
+      const LengthClasses all = fields.population(set, samples[p]);
       if (!all.lengths.empty()) append_length_shares(table, {static_cast<double>(p), set}, all, edges);
     }
   }
@@ -167,7 +167,7 @@ void add_events(const Filling& filling, RunSummary& summary) {
   std::map<std::string, int> counts;
   for (const FillingEvent& event : filling.state().events) {
     std::string key = name(event.kind);
-    if (event.gate >= 0) key = key_of(params.gates[static_cast<std::size_t>(event.gate)].name) + '_' + key;
+    if (event.gate >= 0) key = key_of(params.gates[event.gate].name) + '_' + key;
     const int count = ++counts[key];
     if (count > 1) key += fmt::format("_{}", count);
     summary.own.emplace_back(key + "_s", event.time);
@@ -186,7 +186,7 @@ void add_filling(const MoldingFields& fields, const MoldingRecord& record, RunSu
   const auto last = std::find(state.mark.begin(), state.mark.end(), NodeMark::last_filled);
   for (int axis = 0; axis < 3 && last != state.mark.end(); ++axis)
     own.emplace_back(fmt::format("last_filled_{}_m", "xyz"[axis]),
-                     filling.mesh().shell().nodes[static_cast<std::size_t>(last - state.mark.begin())][axis]);
+                     filling.mesh().shell().nodes[last - state.mark.begin()][axis]);
   add_events(filling, summary);
   for (std::size_t phase = 0; phase < filling_phase_count; ++phase)
     own.emplace_back(std::string("filling_") + filling_phase_names[phase] + "_s",

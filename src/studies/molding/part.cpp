@@ -40,12 +40,12 @@ void set_thickness(const PartChoices& part, const SurfaceMesh& flat, Shell& shel
       throw InputError(
           {{"", 0, 0, "part.thicknesses", "", fmt::format("the part has no region \"{}\"", one.name),
             fmt::format("its regions are {}", fmt::join(flat.region_names, ", "))}});
-    by_region[static_cast<std::size_t>(found - flat.region_names.begin())] = one.numbers[0];
+    by_region[found - flat.region_names.begin()] = one.numbers[0];
   }
   for (std::size_t t = 0; t < flat.triangles.size(); ++t) {
-    const auto region = static_cast<std::size_t>(flat.regions[t]);
+    const std::size_t region = flat.regions[t];
     double x = 0;
-    for (const Index node : flat.triangles[t]) x += flat.points[static_cast<std::size_t>(node)].x() / 3;
+    for (const Index node : flat.triangles[t]) x += flat.points[node].x() / 3;
     double thickness = by_region[region] * profile_factor(part.thickness_profile, x);
     if (flat.region_names[region] == "fan" && x < 0)
       thickness = std::lerp(*part.thickness, part.fan_thickness, std::min(1.0, -x / part.fan_length));

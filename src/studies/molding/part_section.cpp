@@ -139,7 +139,7 @@ void add_stiffness_axes(const ResultFolder& folder, ShellSection& section) {
     for (std::size_t k = 0; k < 3; ++k) {
       float middle = 0;
       for (std::size_t corner = 0; corner < 3; ++corner)
-        middle += section.points[3 * static_cast<std::size_t>(section.triangles[3 * t + corner]) + k] / 3;
+        middle += section.points[3 * section.triangles[3 * t + corner] + k] / 3;
       stiff.at.push_back(middle);
       stiff.vectors.push_back(axes[3 * t + k] * moduli[t]);
     }
@@ -158,16 +158,14 @@ void add_last_state(const MoldingCase& values, const ResultFolder& folder, Shell
   for (const NamedPlace& place : values.output.places)
     section.places.push_back({place.name, PlaceMark::place, position_of(place, setup.part)});
   ShellLines weld = {"weld lines", {}};
-  const auto is_weld = [&](Index node) {
-    return last.state.mark[static_cast<std::size_t>(node)] == NodeMark::weld_line;
-  };
+  const auto is_weld = [&](Index node) { return last.state.mark[node] == NodeMark::weld_line; };
   for (const auto& triangle : last.shell.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = triangle[k], b = triangle[(k + 1) % 3];
       if (!is_weld(a) || !is_weld(b)) continue;
       for (const Index node : {a, b})
         for (int axis = 0; axis < 3; ++axis)
-          weld.segments.push_back(static_cast<float>(last.shell.nodes[static_cast<std::size_t>(node)][axis]));
+          weld.segments.push_back(static_cast<float>(last.shell.nodes[node][axis]));
     }
   if (!weld.segments.empty()) section.lines.push_back(std::move(weld));
   for (std::size_t i = 0; i < last.state.mark.size(); ++i) {

@@ -112,7 +112,7 @@ LinesSection measured_section(const MoldingCase& values, const CsvTable& places,
     predicted.x = picked(places, {{"set", set}}, "place");
     for (double& place : predicted.x) {
       for (const MeasuredLength& one : values.sweep.measured)
-        if (one.mean == mean && one.place == values.output.places[static_cast<std::size_t>(place)].name) {
+        if (one.mean == mean && one.place == values.output.places[place].name) {
           measured.x.push_back(place + 1);
           measured.values.push_back(one.length);
         }

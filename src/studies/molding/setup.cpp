@@ -131,7 +131,7 @@ void add_coupling(const MoldingFiberChoices& choices, MoldingSetup& setup) {
   coupling.diameter = choices.diameter;
   coupling.length_set = fibers.length_sets.empty() ? -1 : 0;
   coupling.length_class = driving_class(setup);
-  const auto driving = static_cast<std::size_t>(coupling.length_class);
+  const std::size_t driving = coupling.length_class;
   coupling.aspect_ratio = fibers.class_lengths[driving] / choices.diameter;
   coupling.drag = choices.drag;
   if (choices.trouton_term) {

@@ -80,7 +80,7 @@ std::optional<double> strain_at(const CellHistory& history, double time) {
   const std::vector<double>& times = history.times;
   if (times.empty() || time < times.front() || time > times.back()) return std::nullopt;
   const auto above = std::lower_bound(times.begin(), times.end(), time);
-  const auto k = static_cast<std::size_t>(above - times.begin());
+  const std::size_t k = above - times.begin();
   if (k == 0) return history.strains[0];
   const double share = (time - times[k - 1]) / (times[k] - times[k - 1]);
   return history.strains[k - 1] + share * (history.strains[k] - history.strains[k - 1]);

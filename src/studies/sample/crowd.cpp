@@ -22,7 +22,7 @@ constexpr double time_step = 1e-6;  // s: a moment, so that the crowd stays as i
 Population some_of(const Population& population) {
   std::int64_t rods = 0;
   for (const FiberBlank& fiber : population.fibers) rods += fiber.rods;
-  const auto every = static_cast<std::size_t>((rods + most_rods - 1) / most_rods);
+  const std::size_t every = (rods + most_rods - 1) / most_rods;
   Population some = population;
   some.fibers.clear();
   for (std::size_t i = 0; i < population.fibers.size(); i += every)

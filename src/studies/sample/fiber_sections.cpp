@@ -21,7 +21,7 @@ constexpr Index most_projected = 400;  // fibers in a projection: more only fill
 
 std::size_t nearest_frame(const std::vector<double>& times, double time) {
   const auto nearer = [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
-  return static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+  return std::min_element(times.begin(), times.end(), nearer) - times.begin();
 }
 
 /// Reads the frames nearest to the times, each once.
@@ -162,7 +162,7 @@ std::vector<double> counts(const std::vector<double>& values, const std::vector<
   for (const double value : values) {
     if (!(value >= edges.front()) || value > edges.back() * (1 + 1e-9)) continue;
     const auto above = std::upper_bound(edges.begin(), edges.end(), value);
-    bins[std::min(static_cast<std::size_t>(above - edges.begin()), bins.size()) - 1] += 1;
+    bins[std::min(above - edges.begin(), std::ssize(bins)) - 1] += 1;
   }
   return bins;
 }

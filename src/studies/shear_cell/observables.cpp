@@ -34,9 +34,8 @@ Observables<CellMoment> fourth_moments(const std::string& suffix, Tensor4 CellMo
   constexpr std::array<const char*, 6> pairs = {"11", "22", "33", "23", "31", "12"};
   Observables<CellMoment> all;
   const auto add = [&](int row, int column) {
-    all.push_back({std::string("a") + pairs[static_cast<std::size_t>(row)] +
-                       pairs[static_cast<std::size_t>(column)] + suffix,
-                   "", "", "", [=](const CellMoment& m) { return (m.*tensor)(row, column); }});
+    all.push_back({std::string("a") + pairs[row] + pairs[column] + suffix, "", "", "",
+                   [=](const CellMoment& m) { return (m.*tensor)(row, column); }});
   };
   for (int i = 0; i < 3; ++i) add(i, i);
   for (const auto& [i, j] : {std::pair{1, 2}, {0, 2}, {0, 1}}) add(i, j);
