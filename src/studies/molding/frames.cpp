@@ -111,7 +111,7 @@ PrismMesh layer_prisms(const MoldingFields& fields) {
   prisms.levels = 2 * half;
   prisms.triangles = mesh.shell().triangles;
   for (const GapField& field : gap_fields())
-    if (!field.array.empty() && field.is_followed(fields))
+    if (!field.array.empty() && follows(fields, field.of))
       prisms.point_data.push_back(layered_array(fields, field, mesh.node_count(), half));
   return prisms;
 }

@@ -161,9 +161,9 @@ const Observables<PlaceSample>& place_observables() {
   return all;
 }
 
-bool GapField::is_followed(const MoldingFields& fields) const {
-  if (of == Of::orientation) return fields.setup().params.fibers.orientation.has_value();
-  return of == Of::melt || fields.set_count() > 0;
+bool follows(const MoldingFields& fields, GapField::Of of) {
+  if (of == GapField::Of::orientation) return fields.setup().params.fibers.orientation.has_value();
+  return of == GapField::Of::melt || fields.set_count() > 0;
 }
 
 const std::vector<GapField>& gap_fields() {
@@ -171,7 +171,7 @@ const std::vector<GapField>& gap_fields() {
     std::vector<GapField> fields = melt_fields();
     for (GapField& field : fiber_fields()) {
       field.profile.measure = [measure = field.profile.measure, of = field.of](const GapPoint& point) {
-        return GapField{{}, {}, of}.is_followed(point.fields) ? measure(point) : std::nan("");
+        return follows(point.fields, of) ? measure(point) : std::nan("");
       };
       fields.push_back(std::move(field));
     }

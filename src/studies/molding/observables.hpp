@@ -45,14 +45,14 @@ struct GapPoint {
   double viscosity = 0;   ///< Pa s
   std::size_t place = 0;  ///< whose nearest node it is
 };
-/// What is known there: a column of profiles.csv, and an array of layers.vtkhdf where it has a name in it.
+/// What is known there: a column of profiles.csv, NaN where a filling does not follow it, and an array of
+/// layers.vtkhdf where it has a name in it.
 struct GapField {
   Observable<GapPoint> profile;
   std::string array = {};
   enum class Of { melt, orientation, lengths } of = Of::melt;
-  /// Whether a filling follows it; elsewhere it is NaN.
-  [[nodiscard]] bool is_followed(const MoldingFields& fields) const;
 };
+[[nodiscard]] bool follows(const MoldingFields& fields, GapField::Of of);
 [[nodiscard]] const std::vector<GapField>& gap_fields();
 /// The rows of profiles.csv.
 [[nodiscard]] const Observables<GapPoint>& profile_observables();

@@ -200,8 +200,7 @@ ShellSection part_section(const MoldingCase& values, const ResultFolder& folder)
   add_stiffness_axes(folder, section);
   section.caption =
       "Values between the frames are interpolated; temperature, length and orientation are means over the "
-      "gap. Red "
-      "squares are gates, red rings likely air traps.";
+      "gap. Red squares are gates, red rings likely air traps.";
   return section;
 }
 

@@ -79,8 +79,7 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
     if (chart.id == "pressure")
       chart.caption =
           "Once the volume of the cavity is in, the sprue keeps the machine's last pressure, and those of "
-          "the "
-          "gates are what still moves melt to the last free places.";
+          "the gates are what still moves melt to the last free places.";
     if (chart.y.unit == "m3/s") {
       chart.y.unit = "cm^3/s";
       for (ReportSeries& curve : chart.series)
