@@ -22,7 +22,8 @@ std::string duration_text(double seconds) {
   if (seconds < 120) return fmt::format("about {:.0f} s", seconds);
   if (seconds < 7200) return fmt::format("about {:.0f} min", seconds / 60);
   if (seconds < 172800) return fmt::format("about {:.0f} h", seconds / 3600);
-  return fmt::format("about {:.0f} days", seconds / 86400);
+  if (seconds < 3.2e8) return fmt::format("about {:.0f} days", seconds / 86400);
+  return fmt::format("about {:.2g} years", seconds / 3.156e7);
 }
 
 }  // namespace

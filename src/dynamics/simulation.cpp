@@ -142,6 +142,8 @@ StepReport Simulation::advance(double until) {
     error = p.try_step(now, choice.size);
     ++rejections;
   }
+  if (!(p.state.time + choice.size > p.state.time))
+    throw p.failure("the step is too short to advance the time");
   p.accept(now, choice, error, event);
   return {choice.size, choice.limit, rejections};
 }

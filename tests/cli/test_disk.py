@@ -54,9 +54,31 @@ def small_disk(tmp_path):
 
 def test_a_full_disk_stops_the_run(tmp_path, small_disk):
     failed = run("run", write_case(tmp_path, LONG), "--out", small_disk / "r", expect=3)
-    assert "No space left on device" in failed.stderr
+    assert "the disk is full (No space left on device): make room there" in failed.stderr
+    assert "fiberfate resume" in failed.stderr and "nput/output error" not in failed.stderr
     assert str(small_disk / "r") in failed.stderr
     checkpoint_is_sound(small_disk / "r")
+
+
+def test_a_report_and_an_export_that_do_not_fit_say_that_the_disk_is_full(tmp_path, small_disk):
+    run("run", write_case(tmp_path), "--out", small_disk / "r", "--steps", 20)
+    with open(small_disk / "rest", "wb") as rest:
+        while True:
+            try:
+                rest.write(b"0" * 4096)
+                rest.flush()
+            except OSError:
+                break
+    for words in (["report", small_disk / "r"], ["export", small_disk / "r", "--format", "vtp"], ["resume", small_disk / "r"]):
+        failed = run(*words, expect=3)
+        assert "the disk is full (No space left on device)" in failed.stderr and str(small_disk) in failed.stderr, failed.stderr
+
+
+@pytest.mark.parametrize("words", [["explain"], ["explain", "--markdown"]])
+def test_output_that_does_not_fit_is_no_success(words):
+    with open("/dev/full", "w", encoding="utf-8") as full:
+        done = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+    assert done.returncode == 3 and "the disk is full" in done.stderr, (done.returncode, done.stderr)
 
 
 def test_a_checkpoint_that_does_not_fit_keeps_the_one_before(tmp_path):

@@ -10,9 +10,9 @@ from small_case import PROGRAM, run, summary
 ATTRITION = """study = "attrition"
 [law]
 name = "phelps"
-C_b = 0.02
-zeta = 3.0
-S = 1.0
+C_B = 0.02
+zeta = 3
+S = 0.25
 E_f = "73 GPa"
 d_f = "19 um"
 [melt]
@@ -113,3 +113,9 @@ def test_little_memory_ends_with_a_sentence(tmp_path, text, megabytes):
     assert done.returncode in (0, 2, 3, 127), (done.returncode, done.stderr)
     assert done.returncode == 0 or done.stderr.strip()
     assert "itself" not in done.stderr
+
+
+def test_steps_that_would_never_end_are_refused(tmp_path):
+    case = write(tmp_path, LONE_FIBER + '[step]\ncontrol = "fixed"\ninitial = 1e-300\n')
+    failed = run("run", case, "--out", tmp_path / "r", expect=2)
+    assert re.search(r"step.initial = 1e-300: makes 1e\+298 steps in run.duration", failed.stderr), failed.stderr

@@ -61,8 +61,8 @@ def changes_of(changes):
 
 def read_seconds(text):
     """Reads "about 3.2 s", "less than 0.1 s" or "about 5 min"."""
-    number, unit = re.search(r"([\d.e+-]+) (s|min|h|days)\b", text).groups()
-    return float(number) * {"s": 1, "min": 60, "h": 3600, "days": 86400}[unit]
+    number, unit = re.search(r"([\d.e+-]+) (s|min|h|days|years)\b", text).groups()
+    return float(number) * {"s": 1, "min": 60, "h": 3600, "days": 86400, "years": 3.156e7}[unit]
 
 
 def read_bytes(text):

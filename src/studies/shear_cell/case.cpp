@@ -20,6 +20,7 @@ namespace {
 
 constexpr double default_frames = 50;  ///< of result.vtkhdf
 constexpr double most_frames = 1e6;    ///< more are a slip of the unit
+constexpr double most_steps = 1e13;    ///< more end on no machine
 
 void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   const FlowChoices& flow = values.flow;
@@ -60,6 +61,17 @@ void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
         scatters ? "breakage.maximum_radius" : "breakage.critical_radius",
         fmt::format("nothing can break: rods of this length cannot bend below {:.4g} um", 1e6 * tightest),
         "shorten fibers.rod_length");
+}
+
+/// Finds steps so short that a run would never end.
+void validate_step_count(const ShearCellCase& values, CaseChecker& checker) {
+  const StepParameters& step = values.dynamics.step;
+  const bool fixed = step.control == StepControl::fixed;
+  const double longest = fixed ? step.initial : step.maximum, duration = values.run.duration;
+  if (longest > 0 && duration / longest > most_steps)
+    checker.error(fixed ? "step.initial" : "step.maximum",
+                  fmt::format("makes {:.2g} steps in {}", duration / longest, checker.cite("run.duration")),
+                  fmt::format("give at least {:.2g} s", duration / most_steps));
 }
 
 void validate_step(const StepParameters& step, CaseChecker& checker) {
@@ -117,6 +129,7 @@ void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker) {
   validate_contact(values, checker);
   validate_breakage(values, checker);
   validate_step(values.dynamics.step, checker);
+  validate_step_count(values, checker);
   validate_output(values, checker);
 }
 
