@@ -1,6 +1,7 @@
 // Prints a case as it would run.
 #include "app/command_check.hpp"
 
+#include "app/say.hpp"
 #include "app/study_registry.hpp"
 
 #include <fmt/format.h>
@@ -37,10 +38,10 @@ int run_check(const CheckOptions& options) {
   std::size_t width = 0;
   for (const auto& [name, value] : estimate.facts) width = std::max(width, name.size());
 
-  for (const std::string& warning : loaded.warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : loaded.warnings) say(fmt::format("warning: {}\n", warning));
   if (const double free = free_memory_bytes(); estimate.memory_bytes > free)
-    fmt::print(stderr, "warning: the case takes {} of memory, and {} are free\n",
-               memory_text(estimate.memory_bytes), memory_text(free));
+    say(fmt::format("warning: the case takes {} of memory, and {} are free\n",
+                    memory_text(estimate.memory_bytes), memory_text(free)));
   fmt::print("{}\n# What follows from it:\n", resolved_case(*loaded.kind, loaded.values));
   for (const auto& [name, value] : estimate.facts) fmt::print("#   {:<{}}  {}\n", name, width, value);
   return 0;

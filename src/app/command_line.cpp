@@ -27,6 +27,7 @@
 #include "app/exit_status.hpp"
 #include "app/gallery.hpp"
 #include "app/last_words.hpp"
+#include "app/say.hpp"
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
@@ -263,14 +264,14 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error,
 }
 
 int report_error(ExitStatus status, const std::string& message) {
-  fmt::print(stderr, "fiberfate: {}\n", message);
+  say(fmt::format("fiberfate: {}\n", message));
   return static_cast<int>(status);
 }
 
 int report_problems(const InputError& error) {
-  fmt::print(stderr, "{}\n", error.what());
+  say(fmt::format("{}\n", error.what()));
   if (error.problems().size() > 1)
-    fmt::print(stderr, "{} errors; nothing was written\n", error.problems().size());
+    say(fmt::format("{} errors; nothing was written\n", error.problems().size()));
   return static_cast<int>(ExitStatus::bad_input);
 }
 
@@ -287,7 +288,7 @@ int run_command_line(int argument_count, const char* const* arguments) {
   add_result_commands(app, commands);
   try {
     if (argument_count < 2) {
-      fmt::print(stderr, "{}", app.help());
+      say(app.help());
       return static_cast<int>(ExitStatus::bad_input);
     }
     check_environment();
@@ -319,7 +320,8 @@ int run_command_line(int argument_count, const char* const* arguments) {
     return report_error(ExitStatus::failed, out_of_memory);
   } catch (const std::length_error&) {  // more than any machine has
     return report_error(ExitStatus::failed, out_of_memory);
-  } catch (const std::system_error& error) {  // of the standard streams
+  } catch (const std::system_error& error) {               // of the standard streams
+    if (error.code() == std::errc::broken_pipe) return 0;  // a reader that has seen enough
     return report_error(ExitStatus::failed,
                         fmt::format("cannot write the output: {}", reason_text(error.code().value())));
   } catch (const std::exception& error) {

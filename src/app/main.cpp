@@ -23,8 +23,9 @@ void open_closed_streams() {
 
 int main(int argument_count, char** arguments) {
   open_closed_streams();
-  // A file that grows beyond its limit becomes an error of the write instead of a signal.
-  std::signal(SIGXFSZ, SIG_IGN);
+  // A file that grows beyond its limit becomes an error of the write instead of a signal, and a reader of the
+  // program's words who goes ends no run.
+  for (const int number : {SIGXFSZ, SIGPIPE}) std::signal(number, SIG_IGN);
   fiberfate::bound_memory();
   fiberfate::tell_last_words();
   fiberfate::let_waiting_threads_sleep(arguments);

@@ -9,6 +9,7 @@
 
 #include "app/exit_status.hpp"
 #include "app/run_study.hpp"
+#include "app/say.hpp"
 #include "app/signals.hpp"
 #include "app/study_registry.hpp"
 #include "app/sweep.hpp"
@@ -36,7 +37,7 @@ void check_all(const RunOptions& options, const std::vector<SweepRun>& runs) {
       const LoadedCase loaded = load_run(options, run);
       check_options(study_of(loaded), options.session);
       for (const std::string& warning : loaded.warnings)
-        if (told.insert(warning).second) fmt::print(stderr, "warning: {}\n", warning);
+        if (told.insert(warning).second) say(fmt::format("warning: {}\n", warning));
     } catch (const InputError& error) {
       for (const InputProblem& problem : error.problems())
         if (told.insert(problem.message()).second) problems.push_back(problem);
@@ -53,9 +54,9 @@ ExitStatus run_one(const RunOptions& options, const SweepRun& run, const std::st
     folder.write_case(resolved_case(*loaded.kind, loaded.values));
     return static_cast<ExitStatus>(run_study(loaded, options, std::move(folder), Begin::anew));
   } catch (const SimulationFailure& error) {
-    fmt::print(stderr, "fiberfate: {}: the simulation failed: {}\n", path, error.what());
+    say(fmt::format("fiberfate: {}: the simulation failed: {}\n", path, error.what()));
   } catch (const InputError& error) {
-    fmt::print(stderr, "{}: {}\n", path, error.what());
+    say(fmt::format("{}: {}\n", path, error.what()));
     return ExitStatus::bad_input;
   }
   return ExitStatus::failed;

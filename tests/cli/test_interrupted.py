@@ -112,3 +112,15 @@ def test_a_kill_while_a_result_is_moved_away_loses_none_of_it(tmp_path, waiting,
     run("resume", tmp_path / "r", "--steps", 1)
     assert summary(tmp_path / "r")["steps"] == 6
     assert not (tmp_path / "r" / waiting).exists()
+
+
+def shell(line):
+    return subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_words_that_nobody_can_hear_end_nothing(tmp_path):
+    case = write_case(tmp_path)
+    assert shell(f"'{PROGRAM}' check nowhere.toml 2>/dev/full").returncode == 2
+    assert shell(f"set -o pipefail; '{PROGRAM}' explain --markdown | head -1").returncode == 0
+    gone = shell(f"'{PROGRAM}' run '{case}' --out '{tmp_path}/r' --steps 3 --progress line 2>&1 >/dev/null | true; exit ${{PIPESTATUS[0]}}")
+    assert gone.returncode == 0 and summary(tmp_path / "r")["steps"] == 3
