@@ -34,8 +34,9 @@ FIBERFATE_INLINE LocalFlow split_gradient(const Pack (&l)[9]) {
 struct Place {
   const LocalFlow& flow;
   const Symmetric& second;
-  const Frame& frame;     ///< principal axes of A, where a law of the model reads them
-  Symmetric unit_strain;  ///< D/rate, of order one however slow the flow
+  const Frame& frame;            ///< principal axes of A, where a law of the model reads them
+  const Symmetric& unit_strain;  ///< D/rate, of order one however slow the flow
+  const Symmetric& nothing;      ///< 0
 };
 
 /// rate R diag(d1, d2, d3) Rᵀ. At equal principal values of A the axes are those of D; where D has none
@@ -85,41 +86,27 @@ inline constexpr bool reads_axes = requires {
   &Law::left;
 };
 
-/// The laws of a list, by number.
-template <class List>
-struct LawsOf;
-template <template <class> class... Laws>
-struct LawsOf<OrientationLawList<Laws...>> {
-  static constexpr bool read_axes[] = {reads_axes<Laws<OrientationMath>>...};
-
-  /// Returns visit(law), which has the type Result, of the law with this number.
-  template <class Result, class Visit>
-  [[gnu::always_inline]] static Result visit(int wanted, const Visit& visit) {
-    Result result;
-    int number = 0;
-    static_cast<void>(
-        ((wanted == number++ ? (result = visit(Laws<OrientationMath>{}), true) : false) || ...));
-    return result;
-  }
-};
-
 FIBERFATE_INLINE bool needs_frame(const OrientationModel& model) {
+  const auto asks = [](auto law) { return reads_axes<decltype(law)>; };
   return needs_frame(model.closure) ||
-         LawsOf<RotaryDiffusions>::read_axes[static_cast<int>(model.diffusion)] ||
-         LawsOf<Retardations>::read_axes[static_cast<int>(model.retardation)];
+         visit_law<bool, OrientationMath, RotaryDiffusions>(static_cast<int>(model.diffusion), asks) ||
+         visit_law<bool, OrientationMath, Retardations>(static_cast<int>(model.retardation), asks);
 }
 
 FIBERFATE_INLINE LocalDiffusion local_diffusion(const OrientationModel& model, const LocalFlow& flow,
                                                 const Symmetric& a, const Frame& frame) {
-  const Place at = {flow, a, frame, flow.inverse_rate * flow.strain};
-  return LawsOf<RotaryDiffusions>::visit<LocalDiffusion>(
+  // Kept as a variable: where compilers know that the rest is 0 they round products of others otherwise.
+  const Symmetric nothing = isotropic(broadcast(0));
+  const Symmetric unit_strain = flow.inverse_rate * flow.strain;
+  const Place at = {flow, a, frame, unit_strain, nothing};
+  return visit_law<LocalDiffusion, OrientationMath, RotaryDiffusions>(
       static_cast<int>(model.diffusion), [&](auto law) __attribute__((always_inline)) {
         return decltype(law)::diffusion(model.constants, at);
       });
 }
 
 FIBERFATE_INLINE Symmetric retard(const OrientationModel& model, const Symmetric& rate, const Frame& frame) {
-  return LawsOf<Retardations>::visit<Symmetric>(
+  return visit_law<Symmetric, OrientationMath, Retardations>(
       static_cast<int>(model.retardation), [&](auto law) __attribute__((always_inline)) {
         using Law = decltype(law);
         if constexpr (reads_axes<Law>)

@@ -57,13 +57,13 @@ RetardationRow retardation_row(int number) {
 }
 
 template <template <class> class... Laws>
-std::vector<RotaryDiffusionRow> diffusion_rows(OrientationLawList<Laws...>) {
+std::vector<RotaryDiffusionRow> diffusion_rows(LawList<Laws...>) {
   int number = 0;
   return {diffusion_row<Laws<NoMath>>(number++)...};
 }
 
 template <template <class> class... Laws>
-std::vector<RetardationRow> retardation_rows(OrientationLawList<Laws...>) {
+std::vector<RetardationRow> retardation_rows(LawList<Laws...>) {
   int number = 0;
   return {retardation_row<Laws<NoMath>>(number++)...};
 }

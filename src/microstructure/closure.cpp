@@ -28,7 +28,7 @@ struct NoMath {
 };
 
 template <template <class> class... Laws>
-std::vector<ClosureDescription> descriptions_of(ClosureLawList<Laws...>) {
+std::vector<ClosureDescription> descriptions_of(LawList<Laws...>) {
   int number = 0;
   return {
       {Closure{number++}, Laws<NoMath>::text.name, Laws<NoMath>::text.meaning, Laws<NoMath>::text.source}...};

@@ -107,47 +107,38 @@ inline constexpr bool closes_in_frame = requires {
   &Law::components;
 };
 
-template <class Law>
-FIBERFATE_INLINE Symmetric contract_by(const Symmetric& a, const Frame& frame, const Symmetric& g) {
-  if constexpr (closes_in_frame<Law>) {
-    const Orthotropic c = Law::components(frame);
-    const Symmetric x = into_frame(frame, g);
-    return out_of_frame(
-        frame, {c.c1 * x.c11 + c.c12 * x.c22 + c.c31 * x.c33, c.c12 * x.c11 + c.c2 * x.c22 + c.c23 * x.c33,
-                c.c31 * x.c11 + c.c23 * x.c22 + c.c3 * x.c33, 2.0 * c.c23 * x.c23, 2.0 * c.c31 * x.c31,
-                2.0 * c.c12 * x.c12});
-  } else {
-    return Law::contract(a, g);
-  }
+FIBERFATE_INLINE bool needs_frame(Closure closure) {
+  return visit_law<bool, ClosureMath, ClosureLaws>(static_cast<int>(closure),
+                                                   [](auto law) { return closes_in_frame<decltype(law)>; });
 }
 
-/// The closures of the list, by number.
-template <class List>
-struct ClosuresOf;
-template <template <class> class... Laws>
-struct ClosuresOf<ClosureLawList<Laws...>> {
-  static constexpr bool in_frame[] = {closes_in_frame<Laws<ClosureMath>>...};
+/// A4 in its principal frame, of a closure that gives it there.
+FIBERFATE_INLINE Orthotropic orthotropic_components(Closure closure, const Frame& frame) {
+  return visit_law<Orthotropic, ClosureMath, ClosureLaws>(
+      static_cast<int>(closure), [&](auto law) __attribute__((always_inline))->Orthotropic {
+        if constexpr (closes_in_frame<decltype(law)>) return decltype(law)::components(frame);
+        __builtin_unreachable();
+      });
+}
 
-  [[gnu::always_inline]] static Symmetric contract(Closure closure, const Symmetric& a, const Frame& frame,
-                                                   const Symmetric& g) {
-    Symmetric result;
-    int number = 0;
-    static_cast<void>(
-        ((static_cast<int>(closure) == number++ ? (result = contract_by<Laws<ClosureMath>>(a, frame, g), true)
-                                                : false) ||
-         ...));
-    return result;
-  }
-};
-
-FIBERFATE_INLINE bool needs_frame(Closure closure) {
-  return ClosuresOf<ClosureLaws>::in_frame[static_cast<int>(closure)];
+FIBERFATE_INLINE Symmetric contract_orthotropic(const Orthotropic& c, const Frame& frame,
+                                                const Symmetric& g) {
+  const Symmetric x = into_frame(frame, g);
+  return out_of_frame(
+      frame, {c.c1 * x.c11 + c.c12 * x.c22 + c.c31 * x.c33, c.c12 * x.c11 + c.c2 * x.c22 + c.c23 * x.c33,
+              c.c31 * x.c11 + c.c23 * x.c22 + c.c3 * x.c33, 2.0 * c.c23 * x.c23, 2.0 * c.c31 * x.c31,
+              2.0 * c.c12 * x.c12});
 }
 
 /// A4(A2) : G. The frame is read only where needs_frame(closure).
 FIBERFATE_INLINE Symmetric contract_closure(Closure closure, const Symmetric& a, const Frame& frame,
                                             const Symmetric& g) {
-  return ClosuresOf<ClosureLaws>::contract(closure, a, frame, g);
+  if (needs_frame(closure)) return contract_orthotropic(orthotropic_components(closure, frame), frame, g);
+  return visit_law<Symmetric, ClosureMath, ClosureLaws>(
+      static_cast<int>(closure), [&](auto law) __attribute__((always_inline))->Symmetric {
+        if constexpr (!closes_in_frame<decltype(law)>) return decltype(law)::contract(a, g);
+        __builtin_unreachable();
+      });
 }
 
 }  // namespace fiberfate::FIBERFATE_ISA

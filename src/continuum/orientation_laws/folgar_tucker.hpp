@@ -15,7 +15,7 @@ struct FolgarTuckerDiffusion {
 
   [[gnu::always_inline]] static typename Math::Diffusion diffusion(const OrientationConstants& c,
                                                                    const typename Math::Place& at) {
-    return {c.c_i * at.flow.rate, Math::isotropic(Math::number(0))};
+    return {c.c_i * at.flow.rate, at.nothing};
   }
 };
 

@@ -13,8 +13,8 @@ struct NoDiffusion {
   static constexpr bool depends_on_orientation = false;
 
   [[gnu::always_inline]] static typename Math::Diffusion diffusion(const OrientationConstants&,
-                                                                   const typename Math::Place&) {
-    return {Math::number(0), Math::isotropic(Math::number(0))};
+                                                                   const typename Math::Place& at) {
+    return {Math::number(0), at.nothing};
   }
 };
 

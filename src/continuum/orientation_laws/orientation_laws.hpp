@@ -1,6 +1,7 @@
 // The rotary diffusions and the retardations of orientation laws.
 #pragma once
 
+#include "base/law_list.hpp"
 #include "continuum/orientation_laws/ard.hpp"
 #include "continuum/orientation_laws/folgar_tucker.hpp"
 #include "continuum/orientation_laws/iard.hpp"
@@ -15,25 +16,21 @@
 
 namespace fiberfate {
 
-/// Lists laws, each a template over the arithmetic of kernels (continuum/orientation_pack.hpp).
-template <template <class> class... Laws>
-struct OrientationLawList {};
-
 /// To add a law: its file, and its name here (docs/develop/adding_an_orientation_law.md). The first of a list
 /// is the one of a model that names none.
-using RotaryDiffusions = OrientationLawList<  //
-    NoDiffusion,                              //
-    FolgarTuckerDiffusion,                    //
-    ArdDiffusion,                             //
-    IardDiffusion,                            //
-    PardDiffusion,                            //
-    MrdDiffusion,                             //
+using RotaryDiffusions = LawList<  //
+    NoDiffusion,                   //
+    FolgarTuckerDiffusion,         //
+    ArdDiffusion,                  //
+    IardDiffusion,                 //
+    PardDiffusion,                 //
+    MrdDiffusion,                  //
     WptDiffusion>;
 
-using Retardations = OrientationLawList<  //
-    NoRetardation,                        //
-    RscRetardation,                       //
-    RprRetardation,                       //
+using Retardations = LawList<  //
+    NoRetardation,             //
+    RscRetardation,            //
+    RprRetardation,            //
     SrfRetardation>;
 
 }  // namespace fiberfate

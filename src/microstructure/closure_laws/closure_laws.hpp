@@ -1,6 +1,7 @@
 // The closures of A4.
 #pragma once
 
+#include "base/law_list.hpp"
 #include "microstructure/closure_laws/bingham.hpp"
 #include "microstructure/closure_laws/exact.hpp"
 #include "microstructure/closure_laws/hybrid.hpp"
@@ -17,25 +18,21 @@
 
 namespace fiberfate {
 
-/// Lists closures, each a template over the arithmetic of kernels (microstructure/closure_pack.hpp).
-template <template <class> class... Laws>
-struct ClosureLawList {};
-
 /// To add a closure: its file, and its name here (docs/develop/adding_an_orientation_law.md). The first is
 /// the one of a model that names none.
-using ClosureLaws = ClosureLawList<  //
-    IbofClosure,                     //
-    LinearClosure,                   //
-    QuadraticClosure,                //
-    HybridClosure,                   //
-    OrfClosure,                      //
-    OrwClosure,                      //
-    Orw3Closure,                     //
-    OreClosure,                      //
-    OrsClosure,                      //
-    OrlClosure,                      //
-    OrpClosure,                      //
-    BinghamClosure,                  //
+using ClosureLaws = LawList<  //
+    IbofClosure,              //
+    LinearClosure,            //
+    QuadraticClosure,         //
+    HybridClosure,            //
+    OrfClosure,               //
+    OrwClosure,               //
+    Orw3Closure,              //
+    OreClosure,               //
+    OrsClosure,               //
+    OrlClosure,               //
+    OrpClosure,               //
+    BinghamClosure,           //
     ExactClosure>;
 
 }  // namespace fiberfate
