@@ -61,7 +61,9 @@ TEST(AppendedFile, ReportsAFullDisk) {
     file.flush();
     FAIL() << "a full device took bytes";
   } catch (const StorageError& error) {
-    EXPECT_STREQ(error.what(), "cannot write /dev/full: No space left on device");
+    EXPECT_STREQ(error.what(),
+                 "cannot write /dev/full: the disk is full (No space left on device): make room there; what "
+                 "ended early goes on with 'fiberfate resume'");
   }
 }
 
