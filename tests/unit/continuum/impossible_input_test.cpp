@@ -14,7 +14,6 @@
 #include "continuum/couette_rheometer.hpp"
 #include "continuum/fokker_planck.hpp"
 #include "continuum/homogenisation.hpp"
-#include "continuum/length_history.hpp"
 #include "continuum/length_registry.hpp"
 #include "continuum/orientation_history.hpp"
 #include "continuum/orientation_jeffery.hpp"
@@ -23,6 +22,7 @@
 #include "continuum/stress_induced.hpp"
 #include "continuum/viscosity.hpp"
 #include "microstructure/closure.hpp"
+#include "microstructure/flow_history.hpp"
 
 namespace fiberfate {
 namespace {
