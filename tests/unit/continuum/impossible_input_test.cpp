@@ -230,6 +230,17 @@ TEST(ImpossibleInput, MeltsOfImpossibleStatesAreRefused) {
   EXPECT_NE(refusal([&] { static_cast<void>(wlf->at({10, 0, 0})); }), "") << "a temperature that nobody gave";
 }
 
+TEST(ImpossibleInput, IntegrationRefusesDurationsThatAreNone) {
+  using State = Eigen::Vector2d;
+  State state(1, 0);
+  IntegrationRecord record;
+  const auto slope = [](const State& at, State& rate) { rate = -at; };
+  const auto settle = [](State&) { return false; };
+  for (const double bad : {-1.0, nan_value, infinity})
+    EXPECT_NE(refusal([&] { integrate(slope, state, bad, {}, record, settle); }), "") << bad;
+  EXPECT_EQ(state, State(1, 0));
+}
+
 TEST(ImpossibleInput, HistoriesRefuseWhatNoClockShows) {
   const FlowHistory history = FlowHistory::constant(simple_shear(10));
   EXPECT_NE(refusal([&] { static_cast<void>(history.parts(2, 1)); }), "");
