@@ -12,7 +12,7 @@ namespace {
 
 void add_steady(const OrientationCase& values, RunSummary& summary) {
   const OrientationModel model = orientation_model(values);
-  const Mat3 gradient = gradient_history(values.flow).at(values.run.duration);
+  const Mat3 gradient = gradient_history(values.flow).at(values.run.duration).gradient;
   const SteadyOrientation steady = steady_orientation(model, gradient);
   summary.own.insert(summary.own.end(), {{"steady_A2", steady.second},
                                          {"steady_A4", components(close(steady.second, model.closure))},
@@ -26,10 +26,10 @@ void add_steady(const OrientationCase& values, RunSummary& summary) {
 
 void summarise_ends(const OrientationCase& values, const Mat3& last, RunSummary& summary) {
   const OrientationLaw law(orientation_model(values));
-  const GradientHistory history = gradient_history(values.flow);
+  const FlowHistory history = gradient_history(values.flow);
   const auto add = [&](const std::string& which, const Mat3& second, double time) {
     summary.own.emplace_back("A4" + which, components(close(second, law.model().closure)));
-    summary.own.emplace_back("A2_rate" + which + "_per_s", law.rate(second, history.at(time)));
+    summary.own.emplace_back("A2_rate" + which + "_per_s", law.rate(second, history.at(time).gradient));
   };
   summary.own.emplace_back("A2_start", values.fibers.orientation);
   add("_start", values.fibers.orientation, 0);
