@@ -161,7 +161,7 @@ def check_law(program, tree, command, key, name):
     words = shlex.split(command)
     case = next(word for word in words if word.endswith(".toml"))
     study = re.search(r'^study = "(\w+)"', (tree / case).read_text(encoding="utf-8"), re.M)[1]
-    run([program, "new", study, "--out", f"template_{name}"], cwd=tree)
+    run([program, "new", study, f"template_{name}"], cwd=tree)
     places = {f"explain {key}": run([program, "explain", key], cwd=tree),
               f"the template of {study}": (tree / f"template_{name}" / "case.toml").read_text(encoding="utf-8")}
     result = tree / words[words.index("--out") + 1]

@@ -174,7 +174,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   }
   if (!checker.is_sound()) return;
   if (values.solution.steady == SteadyChoice::yes &&
-      !(gradient_history(values.flow).at(values.run.duration).shear_rate() > 0))
+      !(rate_of(gradient_history(values.flow).at(values.run.duration).gradient) > 0))
     checker.error("solution.steady", "nothing deforms at the end of the run: every orientation stays",
                   "give a flow with a rate, or take steady = \"no\"");
   warn_of_doubts(values, checker);

@@ -22,6 +22,7 @@
 #include "continuum/stress_induced.hpp"
 #include "continuum/viscosity.hpp"
 #include "microstructure/closure.hpp"
+#include "microstructure/flow_history.hpp"
 
 namespace fiberfate {
 namespace {
@@ -227,6 +228,17 @@ TEST(ImpossibleInput, MeltsOfImpossibleStatesAreRefused) {
   }
   const auto wlf = make_viscosity_law("cross_wlf", std::vector<double>{2e4, 0.3, 1e12, 263, 0, 28, 51.6});
   EXPECT_NE(refusal([&] { static_cast<void>(wlf->at({10, 0, 0})); }), "") << "a temperature that nobody gave";
+}
+
+TEST(ImpossibleInput, IntegrationRefusesDurationsThatAreNone) {
+  using State = Eigen::Vector2d;
+  State state(1, 0);
+  IntegrationRecord record;
+  const auto slope = [](const State& at, State& rate) { rate = -at; };
+  const auto settle = [](State&) { return false; };
+  for (const double bad : {-1.0, nan_value, infinity})
+    EXPECT_NE(refusal([&] { integrate(slope, state, bad, {}, record, settle); }), "") << bad;
+  EXPECT_EQ(state, State(1, 0));
 }
 
 TEST(ImpossibleInput, HistoriesRefuseWhatNoClockShows) {

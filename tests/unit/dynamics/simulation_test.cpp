@@ -49,6 +49,17 @@ TEST(Simulation, StepsWithoutAnEnd) {
   EXPECT_NEAR(endless.state().time, bounded.state().time, 1e-6 * bounded.state().time);
 }
 
+TEST(Simulation, RefusesFlowsThatNoCellFollows) {
+  const auto refuses = [](const FlowHistory& flow) {
+    EXPECT_THROW(Simulation(DynamicsParameters{}, flow, one_fiber()), InputError);
+  };
+  refuses(FlowHistory::constant(10, 0));
+  refuses(FlowHistory::constant({planar_elongation_gradient(), 200}));
+  const Flow across = {simple_shear_gradient().transpose(), 200};
+  refuses(FlowHistory({{0, simple_shear(10, 200)}, {1, across}}));
+  refuses(FlowHistory({{0, simple_shear(10, 200)}, {1, simple_shear(20, 200)}}, HistoryForm::ramps));
+}
+
 using Harm = std::function<void(FiberState&)>;
 
 TEST(Simulation, RefusesFibersThatCannotBeStepped) {
