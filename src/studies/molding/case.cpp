@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -274,7 +273,7 @@ namespace {
 /// is there.
 double expected_seconds(const MoldingCase& values, const MoldingSetup& setup, const ShellMesh& mesh) {
   MemoryRecorder recorder;
-  Session(recorder).use_threads(values.threads);
+  Session(recorder).use_threads(values.run.threads);
   Pace trial(0.15);
   Filling filling(mesh, setup.params);
   while (trial.has_time() && !filling.finished()) {

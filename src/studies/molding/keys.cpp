@@ -75,9 +75,6 @@ KeyRows<MoldingFiberChoices> coupling_keys() {
 
 KeyGroup<CompositeChoices> composite_keys() {
   using Composite = CompositeChoices;
-  const Choices<Homogenisation> models = {{Homogenisation::halpin_tsai, "halpin_tsai", "Halpin and Tsai"},
-                                          {Homogenisation::mori_tanaka, "mori_tanaka", "Mori and Tanaka"},
-                                          {Homogenisation::lielens, "lielens", "between the bounds"}};
   const auto elasticity = [](IsotropicElasticity Composite::*of, const char* modulus,
                              const char* modulus_text, const char* ratio, const char* ratio_text) {
     return rows_of(
@@ -85,18 +82,18 @@ KeyGroup<CompositeChoices> composite_keys() {
              key(ratio, &IsotropicElasticity::poisson, {}, Range::inside(-1, 0.5), ratio_text)});
   };
   const Range expansions = Range::between(-1e-3, 1e-2);
-  return {
-      "composite", "Properties of the solid, for stiffness and thermal expansion.",
-      joined<Composite>(
-          {{key("model", &Composite::model, models, "Model of aligned fibers (docs/theory/properties.md).")},
-           elasticity(&Composite::fiber, "fiber_modulus", "Young's modulus of the fibers.", "fiber_poisson",
-                      "Poisson's ratio of the fibers."),
-           {key("fiber_expansion", &Composite::fiber_expansion, {"1/K"}, expansions,
-                "Thermal expansion of the fibers.")},
-           elasticity(&Composite::matrix, "matrix_modulus", "Young's modulus of the solid matrix.",
-                      "matrix_poisson", "Poisson's ratio of the matrix."),
-           {key("matrix_expansion", &Composite::matrix_expansion, {"1/K"}, expansions,
-                "Thermal expansion of the matrix.")}})};
+  return {"composite", "Properties of the solid, for stiffness and thermal expansion.",
+          joined<Composite>(
+              {{key("model", &Composite::model, stiffness_choices(),
+                    "Model of aligned fibers (docs/theory/properties.md).")},
+               elasticity(&Composite::fiber, "fiber_modulus", "Young's modulus of the fibers.",
+                          "fiber_poisson", "Poisson's ratio of the fibers."),
+               {key("fiber_expansion", &Composite::fiber_expansion, {"1/K"}, expansions,
+                    "Thermal expansion of the fibers.")},
+               elasticity(&Composite::matrix, "matrix_modulus", "Young's modulus of the solid matrix.",
+                          "matrix_poisson", "Poisson's ratio of the matrix."),
+               {key("matrix_expansion", &Composite::matrix_expansion, {"1/K"}, expansions,
+                    "Thermal expansion of the matrix.")}})};
 }
 
 Reading<MeasuredLength> read_measured(const std::vector<TomlValue>& row, const std::vector<MeasuredLength>&) {
