@@ -49,7 +49,7 @@ Trial try_out(const ShearCellCase& values, Session& session) {
   trial.seconds_a_rod_step = (wall_seconds() - begin_wall) / work;
   trial.rods = static_cast<double>(simulation.state().rod_count());
   trial.crowding = {volume_fraction(simulation.state()), mean_lengths(simulation.state()).number_average /
-                                                             simulation.state().material(0).diameter()};
+                                                             simulation.state().materials.front().diameter()};
   return trial;
 }
 
