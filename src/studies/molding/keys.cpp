@@ -1,6 +1,7 @@
 // The keys of the study molding.
 #include <algorithm>
 
+#include "keys/law_choice.hpp"
 #include "studies/molding/case.hpp"
 
 namespace fiberfate {
