@@ -48,14 +48,8 @@ Trial try_out(const ShearCellCase& values, Session& session) {
   const auto work = static_cast<double>(std::max<std::int64_t>(simulation.state().rod_steps, 1));
   trial.seconds_a_rod_step = (wall_seconds() - begin_wall) / work;
   trial.rods = static_cast<double>(simulation.state().rod_count());
-<<<<<<< HEAD
-  trial.crowding = {volume_fraction(simulation.state()),
-                    mean_lengths(simulation.state()).number_average /
-                        simulation.state().material(FiberIndex(0)).diameter()};
-=======
   trial.crowding = {volume_fraction(simulation.state()), mean_lengths(simulation.state()).number_average /
                                                              simulation.state().materials.front().diameter()};
->>>>>>> reliability
   return trial;
 }
 
