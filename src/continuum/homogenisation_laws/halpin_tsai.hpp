@@ -10,7 +10,7 @@ namespace fiberfate {
 /// of the matrix; zeta is 2 r along the fibers.
 struct HalpinTsai {
   static constexpr LawText text = {
-      "halpin_tsai", "Semi-empirical interpolation; may give a material without energy (stores_energy).",
+      "halpin_tsai", "Semi-empirical interpolation; some strain may take energy from its material.",
       "Halpin, Kardos, Polym. Eng. Sci. 16, 344 (1976)"};
 
   static double interpolated(double fiber, double matrix, double zeta, double fraction) {
