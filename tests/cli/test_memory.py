@@ -54,17 +54,16 @@ length = "100 mm"
 width = "80 mm"
 thickness = "3 mm"
 mesh_size = "{mesh}"
-[gates]
-places = [["gate", "0 mm", "40 mm", "0 mm"]]
-[melt]
-name = "newtonian"
-eta_0 = "200 Pa s"
+[material]
+preset = "ppgf30"
 [machine]
 fill_time = "1 s"
-melt_temperature = "230 degC"
-mold_temperature = "40 degC"
+melt_temperature = "523 K"
+mold_temperature = "323 K"
+[fibers]
+length = "5 mm"
 [numerics]
-steps = 30
+steps = 60
 """
 
 

@@ -296,7 +296,7 @@ double filling_bytes(const MoldingSetup& setup) {
     if (set.law->fragmentation() != nullptr) bins = fibers.phelps_bins;
   }
   return static_cast<double>(peak_memory_bytes()) + points * (200 + 24 * static_cast<double>(fields)) +
-         2e3 * nodes + PhelpsSolver::memory_bytes(bins);
+         5e3 * nodes + PhelpsSolver::memory_bytes(bins);
 }
 
 CaseEstimate estimate_molding(const MoldingCase& values) {
