@@ -23,8 +23,12 @@ RunOutcome run_loop(Simulation& simulation, const RunLimits& limits, const RunAc
   RunOutcome outcome;
   double last_checkpoint = wall_seconds();
   double due = std::min(actions.next_output(state.time), limits.end);
+  // A resumed run meets the outputs after its time. One that is due within round-off of it (a flow may change
+  // there) comes first, or it would be lost.
+  const auto can_be_resumed = [&] { return std::min(actions.next_output(state.time), limits.end) == due; };
   for (;;) {
-    if (const auto reason = reason_to_stop(state, limits, first_step)) {
+    const auto reason = reason_to_stop(state, limits, first_step);
+    if (reason && can_be_resumed()) {
       outcome.reason = *reason;
       outcome.rod_steps = state.rod_steps - first_rod_step;
       return outcome;
@@ -38,7 +42,7 @@ RunOutcome run_loop(Simulation& simulation, const RunLimits& limits, const RunAc
       actions.output();
       due = std::min(actions.next_output(state.time), limits.end);
     }
-    if (wall_seconds() - last_checkpoint >= limits.checkpoint_interval) {
+    if (wall_seconds() - last_checkpoint >= limits.checkpoint_interval && can_be_resumed()) {
       actions.checkpoint();
       last_checkpoint = wall_seconds();
     }
