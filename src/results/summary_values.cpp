@@ -10,7 +10,8 @@ namespace fiberfate {
 std::vector<std::pair<std::string, SummaryValue>> summary_values(const std::string& path) {
   const SummaryFile file(path);
   std::vector<std::pair<std::string, SummaryValue>> all;
-  for (const auto& [key, value] : nlohmann::ordered_json::parse(read_file(path)).items()) {
+  const auto document = nlohmann::ordered_json::parse(read_file(path));
+  for (const auto& [key, value] : document.items()) {
     if (value.is_string()) all.emplace_back(key, value.get<std::string>());
     if (value.is_number_integer()) all.emplace_back(key, value.get<std::int64_t>());
     if (value.is_number_float()) all.emplace_back(key, value.get<double>());

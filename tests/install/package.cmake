@@ -12,7 +12,7 @@ check_c_programs("${root}/usr" "${work}")
 
 # The package that brings each library that a program or the library in C needs.
 execute_process(COMMAND dpkg-deb --field "${package}" Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
-foreach(library libc6 libceres libfmt libgomp1 libhdf5 libspdlog libstdc++6 libudunits2)
+foreach(library libc6 libfmt libgomp1 libhdf5 libspdlog libstdc++6 libudunits2)
   string(FIND "${depends}" "${library}" place)
   if(place EQUAL -1)
     message(FATAL_ERROR "the package does not depend on ${library}: ${depends}")
