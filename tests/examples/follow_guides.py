@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Follows the guides docs/develop/adding_*.md word for word, in a scratch copy of the sources.
 
-    follow_guides.py SOURCE BUILD
+    follow_guides.py SOURCE BUILD NINJA
 
 Every C++ block of a guide is a file, whose name stands above it, or what is added to one after a line that the guide
 quotes. All guides go into one copy. What they touch is compiled as BUILD (a Ninja build) compiles it, the tests of the
@@ -79,8 +79,8 @@ def apply(tree, guide):
 class Build:
     """How an existing build compiles and links, applied to another copy of its sources."""
 
-    def __init__(self, source, build, tree):
-        self.source, self.build, self.tree = source, build, tree
+    def __init__(self, source, build, tree, ninja):
+        self.source, self.build, self.tree, self.ninja = source, build, tree, ninja
         entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
         self.commands = {pathlib.Path(one["file"]): shlex.split(one["command"]) for one in entries}
 
@@ -138,7 +138,7 @@ class Build:
 
     def link(self, program, objects, replace_sources):
         """Links a program of the build with other objects, which go before the libraries that have older ones."""
-        line = run(["ninja", "-t", "commands", f"bin/{program}"], cwd=self.build).splitlines()[-1]
+        line = run([self.ninja, "-t", "commands", f"bin/{program}"], cwd=self.build).splitlines()[-1]
         words = shlex.split(line.split("&&")[1])
         place = words.index("-o")
         if replace_sources:
@@ -174,7 +174,7 @@ def check_law(program, tree, command, key, name):
 
 
 def main():
-    source, build = (pathlib.Path(word).resolve() for word in sys.argv[1:])
+    source, build = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
     tree = build / "guides"
     copy(source, build, tree)
     touched, commands, laws = set(), [], []
@@ -184,7 +184,7 @@ def main():
         commands += lines
         laws += names
         print(f"{guide.name}: {len(files)} blocks, {len(lines)} commands, {len(names)} laws")
-    maker = Build(source, build, tree)
+    maker = Build(source, build, tree, sys.argv[3])
     outdated = maker.outdated(touched)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         objects = dict(zip(outdated, pool.map(maker.compile, outdated)))
