@@ -9,7 +9,19 @@
 
 namespace fiberfate {
 
-/// Times the first part of some work and foretells the whole. The trial ends when its time is used up:
+/// Tells the wall seconds of some work as they are while nobody else uses the machine: what other processes
+/// take from it leaves processor time as it is.
+class Stopwatch {
+ public:
+  Stopwatch();
+  [[nodiscard]] double elapsed() const;
+
+ private:
+  double wall_, processor_;
+};
+
+/// Times the first part of some work and foretells the whole. The trial ends when its time is used up and a
+/// few parts are done:
 ///
 ///   Pace pace;
 ///   while (pace.has_time() && !finished) { step(); pace.reached(share); }
@@ -31,7 +43,8 @@ class Pace {
   struct Mark {
     double time, share;
   };
-  double begin_, trial_;
+  Stopwatch watch_;
+  double trial_;
   std::vector<Mark> marks_;
 };
 
