@@ -55,7 +55,7 @@ void foretell(CaseEstimate& estimate, const std::function<double()>& trial, cons
 }
 
 std::vector<double> with_early_times(const std::vector<double>& times) {
-  constexpr int halvings = 24;
+  constexpr int halvings = 6;
   std::vector<double> all;
   const auto first = std::find_if(times.begin(), times.end(), [](double time) { return time > 0; });
   all.assign(times.begin(), first);

@@ -52,6 +52,9 @@ class Pace {
 /// too: the seconds are then NaN, and the estimate says why.
 void foretell(CaseEstimate& estimate, const std::function<double()>& trial, const std::string& assumption);
 
+/// The wall seconds that a frame and a row of a table take: a frame is on the disk before the run goes on.
+inline constexpr double seconds_a_frame = 0.012, seconds_a_row = 1e-5;
+
 /// Puts times before the first of rising ones, so that a trial need not wait for it: halves of it.
 [[nodiscard]] std::vector<double> with_early_times(const std::vector<double>& times);
 

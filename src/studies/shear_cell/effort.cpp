@@ -72,7 +72,9 @@ Crowding crowding(const ShearCellCase& values, const SamplePlan& plan) {
   return {alone ? 0.0 : plan.volume_fraction, alone ? 1.0 : number_average(length_law(kind)) / kind.diameter};
 }
 
-double shear_cell_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
+namespace {
+
+double computing_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
   MemoryRecorder recorder;
   Session session(recorder);
   session.use_threads(values.run.threads);
@@ -88,6 +90,14 @@ double shear_cell_seconds(const ShearCellCase& values, const std::optional<Sampl
   const bool alone = values.sample.cluster.source == ClusterSource::fiber;
   if (alone || trial.pace.share() > telling_share) return trial.pace.whole();
   return expected_steps(values, trial.crowding) * trial.rods * trial.seconds_a_rod_step;
+}
+
+}  // namespace
+
+double shear_cell_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
+  const double duration = values.run.duration;
+  return computing_seconds(values, plan) + seconds_a_frame * duration / frame_interval(values) +
+         seconds_a_row * duration / series_interval(values.run, values.output);
 }
 
 }  // namespace fiberfate
