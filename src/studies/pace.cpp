@@ -9,14 +9,23 @@
 
 namespace fiberfate {
 
-Pace::Pace(double trial_s) : begin_(wall_seconds()), trial_(trial_s) {}
+Stopwatch::Stopwatch() : wall_(wall_seconds()), processor_(cpu_seconds()) {}
+
+double Stopwatch::elapsed() const {
+  return std::min(wall_seconds() - wall_, cpu_seconds() - processor_);
+}
+
+Pace::Pace(double trial_s) : trial_(trial_s) {}
 
 bool Pace::has_time() const {
-  return wall_seconds() - begin_ < trial_;
+  constexpr std::size_t few = 8;
+  constexpr double patience = 10;
+  const double now = watch_.elapsed();
+  return now < trial_ || (marks_.size() < few && now < patience * trial_);
 }
 
 void Pace::reached(double share) {
-  marks_.push_back({wall_seconds() - begin_, std::min(share, 1.0)});
+  if (share > 0) marks_.push_back({watch_.elapsed(), std::min(share, 1.0)});
 }
 
 double Pace::whole() const {
@@ -46,7 +55,7 @@ void foretell(CaseEstimate& estimate, const std::function<double()>& trial, cons
 }
 
 std::vector<double> with_early_times(const std::vector<double>& times) {
-  constexpr int halvings = 24;
+  constexpr int halvings = 6;
   std::vector<double> all;
   const auto first = std::find_if(times.begin(), times.end(), [](double time) { return time > 0; });
   all.assign(times.begin(), first);

@@ -9,7 +9,19 @@
 
 namespace fiberfate {
 
-/// Times the first part of some work and foretells the whole. The trial ends when its time is used up:
+/// Tells the wall seconds of some work as they are while nobody else uses the machine: what other processes
+/// take from it leaves processor time as it is.
+class Stopwatch {
+ public:
+  Stopwatch();
+  [[nodiscard]] double elapsed() const;
+
+ private:
+  double wall_, processor_;
+};
+
+/// Times the first part of some work and foretells the whole. The trial ends when its time is used up and a
+/// few parts are done:
 ///
 ///   Pace pace;
 ///   while (pace.has_time() && !finished) { step(); pace.reached(share); }
@@ -31,13 +43,17 @@ class Pace {
   struct Mark {
     double time, share;
   };
-  double begin_, trial_;
+  Stopwatch watch_;
+  double trial_;
   std::vector<Mark> marks_;
 };
 
 /// Calls a trial, which gives the wall seconds of a run, for an estimate. Where the trial fails the run will,
 /// too: the seconds are then NaN, and the estimate says why.
 void foretell(CaseEstimate& estimate, const std::function<double()>& trial, const std::string& assumption);
+
+/// The wall seconds that a frame and a row of a table take: a frame is on the disk before the run goes on.
+inline constexpr double seconds_a_frame = 0.012, seconds_a_row = 1e-5;
 
 /// Puts times before the first of rising ones, so that a trial need not wait for it: halves of it.
 [[nodiscard]] std::vector<double> with_early_times(const std::vector<double>& times);

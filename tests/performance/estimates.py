@@ -75,17 +75,18 @@ def fact(text, name):
 
 
 def measure(program, name):
+    """Runs a case after its check; `program` is a list of words."""
     folder, changes = CASES[name]
     case = str(ROOT / "cases" / folder / "case.toml")
     begin = time.monotonic()
-    check = subprocess.run([program, "check", case, *changes_of(changes)], capture_output=True, text=True, check=False)
+    check = subprocess.run([*program, "check", case, *changes_of(changes)], capture_output=True, text=True, check=False)
     checking = time.monotonic() - begin
     if check.returncode != 0:
         sys.exit(f"{name}: {check.stderr}")
     with tempfile.TemporaryDirectory() as scratch:
         out = pathlib.Path(scratch) / "r"
         begin = time.monotonic()
-        run = subprocess.run([program, "run", case, "--out", str(out), "--progress", "none", *changes_of(changes)],
+        run = subprocess.run([*program, "run", case, "--out", str(out), "--progress", "none", *changes_of(changes)],
                              capture_output=True, text=True, check=False)
         wall = time.monotonic() - begin
         if run.returncode != 0:
@@ -103,12 +104,13 @@ def ratio(pair, least):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", required=True)
+    parser.add_argument("--prefix", default="", help="a command that runs the program: 'taskset -c 0'")
     parser.add_argument("names", nargs="*", help="; ".join(CASES))
     options = parser.parse_args()
     print(f"{'case':<30}{'check':>7}{'foretold':>10}{'taken':>9}{'ratio':>7}{'MB foretold':>13}{'taken':>8}{'ratio':>7}")
     off = []
     for name in options.names or CASES:
-        found = measure(options.program, name)
+        found = measure([*options.prefix.split(), options.program], name)
         times, sizes = ratio(found["seconds"], LEAST_SECONDS), ratio(found["bytes"], LEAST_BYTES)
         print(f"{name:<30}{found['checking']:>6.2f}s{found['seconds'][0]:>9.3g}s{found['seconds'][1]:>8.3g}s{times:>7.2f}"
               f"{found['bytes'][0] / 1e6:>13.0f}{found['bytes'][1] / 1e6:>8.0f}{sizes:>7.2f}", flush=True)

@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/error.hpp"
-#include "base/timer.hpp"
 #include "calibration/bootstrap.hpp"
 #include "calibration/fit.hpp"
 #include "calibration/prediction_band.hpp"
@@ -304,7 +303,7 @@ double calibration_seconds(const CalibrationCase& values) {
   std::int64_t made = 0;
   double expected = 0;
   bool finished = true;
-  const double begin = wall_seconds();
+  const Stopwatch watch;
   for (const FitName& name : fit_names(values)) {
     std::vector<MeasuredSeries> some = series_of(name, series);
     if (some.empty()) continue;
@@ -318,7 +317,7 @@ double calibration_seconds(const CalibrationCase& values) {
       finished = false;
     }
   }
-  const double seconds = wall_seconds() - begin;
+  const double seconds = watch.elapsed();
   return finished || made == 0 ? seconds : seconds * std::max(1.0, expected / static_cast<double>(made));
 }
 

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "base/timer.hpp"
 #include "base/units.hpp"
 #include "io/input_file.hpp"
 #include "results/memory_recorder.hpp"
@@ -101,21 +100,25 @@ void validate_measurement(const MeasurementCase& values, CaseChecker& checker) {
 
 namespace {
 
-/// Foretells the wall seconds of a run on so many rows from one with fewer bootstrap samples.
-double expected_seconds(const MeasurementCase& values, double rows, double reading_seconds) {
-  constexpr double trial_draws = 1e6;
-  MeasurementCase trial = values;
-  trial.statistics.resamples =
-      std::min(values.statistics.resamples, static_cast<std::int64_t>(std::max(10.0, trial_draws / rows)));
+/// The wall seconds of a run with so many bootstrap samples.
+double seconds_with(MeasurementCase values, std::int64_t resamples) {
+  values.statistics.resamples = resamples;
   MemoryRecorder recorder;
   Session session(recorder);
-  const double begin = wall_seconds();
-  static_cast<void>(compute_measurement(trial, session));
-  const double seconds = wall_seconds() - begin;
-  return seconds +
-         std::max(0.0, seconds - reading_seconds) * (static_cast<double>(values.statistics.resamples) /
-                                                         static_cast<double>(trial.statistics.resamples) -
-                                                     1);
+  const Stopwatch watch;
+  static_cast<void>(compute_measurement(values, session));
+  return watch.elapsed();
+}
+
+/// Foretells the wall seconds of a run on so many rows from two with fewer bootstrap samples.
+double expected_seconds(const MeasurementCase& values, double rows) {
+  constexpr double trial_draws = 1e6;
+  const std::int64_t resamples = values.statistics.resamples;
+  const auto some = static_cast<std::int64_t>(std::max(20.0, trial_draws / rows));
+  if (some >= resamples) return seconds_with(values, resamples);
+  const double few = seconds_with(values, some / 2), more = seconds_with(values, some);
+  return more + std::max(0.0, more - few) * static_cast<double>(resamples - some) /
+                    static_cast<double>(some - some / 2);
 }
 
 }  // namespace
@@ -123,7 +126,6 @@ double expected_seconds(const MeasurementCase& values, double rows, double readi
 CaseEstimate estimate_measurement(const MeasurementCase& values) {
   CaseEstimate estimate;
   double rows = 0;
-  const double begin = wall_seconds();
   if (!values.lengths.file.empty()) {
     const LengthList list = read_lengths(values.lengths);
     const std::size_t lengths = list.fibers.lengths.size();
@@ -139,10 +141,8 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
     rows += static_cast<double>(directions);
   }
   estimate.memory_bytes = 1e7 + 100 * rows;
-  const double reading = wall_seconds() - begin;
   foretell(
-      estimate, [&] { return expected_seconds(values, rows, reading); },
-      "from a trial with fewer bootstrap samples");
+      estimate, [&] { return expected_seconds(values, rows); }, "from a trial with fewer bootstrap samples");
   return estimate;
 }
 

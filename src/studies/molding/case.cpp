@@ -300,7 +300,9 @@ double filling_bytes(const MoldingSetup& setup) {
 }
 
 CaseEstimate estimate_molding(const MoldingCase& values) {
+  const double begin = wall_seconds();  // parts are meshed in another process
   const MoldingSetup setup = molding_setup(values);
+  const double meshing = wall_seconds() - begin;
   const ShellMesh mesh(setup.part.shell);
   Vec3 low = setup.part.shell.nodes.front(), high = low;
   for (const Vec3& node : setup.part.shell.nodes) {
@@ -322,8 +324,10 @@ CaseEstimate estimate_molding(const MoldingCase& values) {
       {"fill time at that rate", fmt::format("{:.6g} s", mesh.total_volume() / rate)},
       {"length laws", fmt::format("{}", setup.params.fibers.length_sets.size())}};
   estimate.memory_bytes = filling_bytes(setup);
+  const double outputs = seconds_a_frame * static_cast<double>(values.output.frames);
   foretell(
-      estimate, [&] { return expected_seconds(values, setup, mesh); }, "from a trial of its first steps");
+      estimate, [&] { return 2 * meshing + outputs + expected_seconds(values, setup, mesh); },
+      "from a trial of its first steps");
   return estimate;
 }
 

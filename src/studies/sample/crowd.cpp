@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/random.hpp"
-#include "base/timer.hpp"
 #include "dynamics/simulation.hpp"
 #include "microstructure/orientation_sampling.hpp"
+#include "studies/pace.hpp"
 
 namespace fiberfate {
 namespace {
@@ -67,12 +67,10 @@ double seconds_a_rod_step(FiberState fibers, const ContactParameters& contact) {
   parameters.step.initial = time_step;
   Simulation simulation(parameters, FlowHistory::constant(1, 100), std::move(fibers));
   simulation.advance(std::numeric_limits<double>::infinity());  // allocates
-  const double begin = wall_seconds();
-  double end = begin;
+  const Stopwatch watch;
   std::int64_t steps = 0;
-  for (; end - begin < trial_s; ++steps, end = wall_seconds())
-    simulation.advance(std::numeric_limits<double>::infinity());
-  return (end - begin) / static_cast<double>(steps * simulation.state().rod_count());
+  for (; watch.elapsed() < trial_s; ++steps) simulation.advance(std::numeric_limits<double>::infinity());
+  return watch.elapsed() / static_cast<double>(steps * simulation.state().rod_count());
 }
 
 }  // namespace fiberfate

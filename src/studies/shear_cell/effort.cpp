@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "base/timer.hpp"
 #include "dynamics/simulation.hpp"
 #include "fibers/observables.hpp"
 #include "results/memory_recorder.hpp"
@@ -39,14 +38,15 @@ Trial try_out(const ShearCellCase& values, Session& session) {
   StartingFibers fibers =
       make_fibers(values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed}, session);
   Simulation simulation(dynamics_parameters(values), flow_history(values.flow), std::move(fibers.state));
-  const double begin = simulation.state().time, begin_wall = wall_seconds();
+  const double begin = simulation.state().time;
+  const Stopwatch watch;
   const double end = begin + values.run.duration;
   while (trial.pace.has_time() && simulation.state().time < end) {
     simulation.advance(end);
     trial.pace.reached((simulation.state().time - begin) / values.run.duration);
   }
   const auto work = static_cast<double>(std::max<std::int64_t>(simulation.state().rod_steps, 1));
-  trial.seconds_a_rod_step = (wall_seconds() - begin_wall) / work;
+  trial.seconds_a_rod_step = watch.elapsed() / work;
   trial.rods = static_cast<double>(simulation.state().rod_count());
   trial.crowding = {volume_fraction(simulation.state()), mean_lengths(simulation.state()).number_average /
                                                              simulation.state().materials.front().diameter()};
@@ -72,7 +72,9 @@ Crowding crowding(const ShearCellCase& values, const SamplePlan& plan) {
   return {alone ? 0.0 : plan.volume_fraction, alone ? 1.0 : number_average(length_law(kind)) / kind.diameter};
 }
 
-double shear_cell_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
+namespace {
+
+double computing_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
   MemoryRecorder recorder;
   Session session(recorder);
   session.use_threads(values.run.threads);
@@ -88,6 +90,14 @@ double shear_cell_seconds(const ShearCellCase& values, const std::optional<Sampl
   const bool alone = values.sample.cluster.source == ClusterSource::fiber;
   if (alone || trial.pace.share() > telling_share) return trial.pace.whole();
   return expected_steps(values, trial.crowding) * trial.rods * trial.seconds_a_rod_step;
+}
+
+}  // namespace
+
+double shear_cell_seconds(const ShearCellCase& values, const std::optional<SamplePlan>& plan) {
+  const double duration = values.run.duration;
+  return computing_seconds(values, plan) + seconds_a_frame * duration / frame_interval(values) +
+         seconds_a_row * duration / series_interval(values.run, values.output);
 }
 
 }  // namespace fiberfate
