@@ -35,7 +35,8 @@ void PairForces::count_forces(const ContactSet& contacts) {
 }
 
 PairForces::Chunks PairForces::chunks_of(std::size_t dealer) const {
-  const int dealers = thread_count();
+  // Not thread_count(): inside a parallel loop that is the count of a nested one (OMP_NUM_THREADS = "4,2").
+  const auto dealers = static_cast<int>(next_.size());
   return {share_begin(chunk_begin_, dealer, dealers), share_begin(chunk_begin_, dealer + 1, dealers)};
 }
 
