@@ -12,15 +12,20 @@ namespace fiberfate {
 Stopwatch::Stopwatch() : wall_(wall_seconds()), processor_(cpu_seconds()) {}
 
 double Stopwatch::elapsed() const {
-  return std::min(wall_seconds() - wall_, cpu_seconds() - processor_);
+  return std::min(wall(), cpu_seconds() - processor_);
+}
+
+double Stopwatch::wall() const {
+  return wall_seconds() - wall_;
 }
 
 Pace::Pace(double trial_s) : trial_(trial_s) {}
 
 bool Pace::has_time() const {
   constexpr std::size_t few = 8;
-  constexpr double patience = 10;
+  constexpr double patience = 10, longest_wait = 100;
   const double now = watch_.elapsed();
+  if (watch_.wall() > longest_wait * trial_) return false;
   return now < trial_ || (marks_.size() < few && now < patience * trial_);
 }
 

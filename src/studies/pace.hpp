@@ -15,6 +15,8 @@ class Stopwatch {
  public:
   Stopwatch();
   [[nodiscard]] double elapsed() const;
+  /// The wall seconds as they are.
+  [[nodiscard]] double wall() const;
 
  private:
   double wall_, processor_;
