@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, SummaryValue>> summary_of(const std::string& 
   if (status == ExitStatus::done || status == ExitStatus::stopped)
     if (const std::string file = path + "/summary.json"; std::filesystem::exists(file))
       return summary_values(file);
-  return {{"stop_reason", "failed"}};
+  return {{"stop_reason", status == ExitStatus::stopped ? "signal" : "failed"}};
 }
 
 }  // namespace
