@@ -101,7 +101,7 @@ struct SummaryFile::Document {
 SummaryFile::SummaryFile(const std::string& path) : document_(std::make_unique<Document>()) {
   try {
     document_->json = Json::parse(read_file(path));
-  } catch (const Json::parse_error& error) {
+  } catch (const Json::exception& error) {  // faults of its text, and numbers beyond what a double holds
     throw StorageError("cannot read " + path + ": " + error.what());
   }
   if (!document_->json.is_object())
