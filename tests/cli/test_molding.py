@@ -567,6 +567,11 @@ def strip_stl(flipped=(), twice=()):
     return "SOLID " + "strip" * 200 + "\n" + text + "ENDSOLID\n"
 
 
+def without_pace(text):
+    """Leaves out what `check` measures anew each time: the line of the foretold time."""
+    return [line for line in text.splitlines() if "from a trial" not in line]
+
+
 def test_a_flipped_facet_is_turned_and_told(tmp_path):
     (tmp_path / "case.toml").write_text(STRIP, encoding="utf-8")
     (tmp_path / "strip.stl").write_text(strip_stl(), encoding="utf-8")
@@ -576,7 +581,7 @@ def test_a_flipped_facet_is_turned_and_told(tmp_path):
     mended = run("check", tmp_path / "case.toml")
     assert "1 of 64 triangles is turned to agree with the others" in mended.stderr
     assert "2 of 66 facets are given twice and left out" in mended.stderr
-    assert mended.stdout == sound.stdout
+    assert without_pace(mended.stdout) == without_pace(sound.stdout)
 
 
 def test_a_mesh_that_gmsh_crashes_on_is_refused_in_words(tmp_path):
