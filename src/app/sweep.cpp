@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/trimmed.hpp"
 
 namespace fiberfate {
 namespace {
@@ -17,11 +18,6 @@ constexpr std::size_t longest_name = 80;
 
 InputError refused(const std::string& text, const std::string& complaint, const std::string& remedy) {
   return InputError({{"command line", 0, 0, "--sweep", text, complaint, remedy}});
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, last + 1 - first);
 }
 
 /// Cuts a text at the commas that stand in no quotes and no brackets.
@@ -44,7 +40,7 @@ std::vector<std::string> parts(const std::string& text) {
     else
       all.back() += c;
   }
-  std::ranges::transform(all, all.begin(), trimmed);
+  for (std::string& one : all) one = std::string(trimmed(one));
   return all;
 }
 
@@ -76,7 +72,7 @@ void require_sound(const std::vector<SweptKey>& keys) {
 
 SweptKey read_swept_key(const std::string& text) {
   const std::size_t equals = text.find('=');
-  SweptKey swept{trimmed(text.substr(0, equals)), {}};
+  SweptKey swept{std::string(trimmed(std::string_view(text).substr(0, equals))), {}};
   if (equals == std::string::npos || swept.key.empty())
     throw refused(text, "this is not a key with values",
                   "write --sweep key=value,value, for example --sweep diffusion.C_I=0.001,0.01");

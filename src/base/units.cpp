@@ -15,6 +15,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/trimmed.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -37,12 +39,6 @@ ut_system* unit_system() {
   if (system == nullptr)
     throw std::invalid_argument("the unit database of UDUNITS-2 is missing; install libudunits2-0");
   return system;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// Writes typographic signs as the plain ones that they stand for: "−5 µm s⁻¹" with any kind of space.

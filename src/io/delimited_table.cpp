@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/trimmed.hpp"
 #include "io/decimal_column.hpp"
 #include "io/input_file.hpp"
 #include "io/text_faults.hpp"
@@ -46,12 +47,6 @@ std::string as_plain_text(std::string bytes, const std::string& path) {
   }
   if (fault) throw InputError({*fault});
   return text;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return text.substr(0, 0);
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// Takes the quotes off a cell.

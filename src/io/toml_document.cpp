@@ -10,6 +10,7 @@
 #include <sstream>
 #include <toml.hpp>
 
+#include "base/trimmed.hpp"
 #include "io/input_file.hpp"
 #include "io/text_faults.hpp"
 #include "io/text_places.hpp"
@@ -217,16 +218,11 @@ TomlDocument TomlDocument::parse(const std::string& text, const std::string& nam
 void TomlDocument::override_with(const std::string& assignment) {
   const InputPlace place{"command line", 0, 0};
   const auto equals = assignment.find('=');
-  const auto trim = [](std::string text) {
-    text.erase(0, text.find_first_not_of(" \t"));
-    text.erase(text.find_last_not_of(" \t") + 1);
-    return text;
-  };
-  const std::string key = trim(assignment.substr(0, equals));
+  const std::string key(trimmed(std::string_view(assignment).substr(0, equals)));
   if (equals == std::string::npos || key.empty())
     refuse("command line", fmt::format("--set {}: this is not an assignment", assignment),
            "write --set key=value, for example --set fibers.length=\"2 mm\"");
-  const std::string text = trim(assignment.substr(equals + 1));
+  const std::string text(trimmed(std::string_view(assignment).substr(equals + 1)));
 
   TomlValue value{text, '"' + text + '"', place};
   try {
