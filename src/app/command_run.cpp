@@ -1,16 +1,15 @@
 // Runs a case into a result folder.
 #include "app/command_run.hpp"
 
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "app/run_study.hpp"
 #include "app/run_sweep.hpp"
+#include "app/say.hpp"
 #include "app/study_registry.hpp"
-
-#include <cstdio>
-#include <filesystem>
-#include <utility>
-
 #include "keys/case_file.hpp"
-#include "results/result_folder.hpp"
 
 namespace fiberfate {
 namespace {
@@ -30,11 +29,9 @@ int run_run(const RunOptions& options) {
   const std::string named = options.out.empty() ? default_folder(options.case_file) : options.out;
   if (!options.sweep.empty()) return run_sweep(options, named + (options.out.empty() ? "_sweep" : ""));
   const LoadedCase loaded = load_case(options.case_file, case_kinds(), options.changes);
-  for (const std::string& warning : loaded.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const std::string& warning : loaded.warnings) say(fmt::format("warning: {}\n", warning));
   check_options(study_of(loaded), options.session);
-  OwnedFolder folder = OwnedFolder::create(named, options.existing);
-  folder.write_case(resolved_case(*loaded.kind, loaded.values));
-  return run_study(loaded, options, std::move(folder), Begin::anew);
+  return run_anew(loaded, options, named);
 }
 
 }  // namespace fiberfate

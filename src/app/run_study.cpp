@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "app/exit_status.hpp"
 #include "app/signals.hpp"
@@ -74,6 +75,12 @@ int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder f
   const StopReason reason = compute_into(folder, loaded, session);
   fmt::print("{}: result in {}\n", name(reason), folder.folder().path());
   return static_cast<int>(reason == StopReason::signal ? ExitStatus::stopped : ExitStatus::done);
+}
+
+int run_anew(const LoadedCase& loaded, const RunOptions& options, const std::string& path) {
+  OwnedFolder folder = OwnedFolder::create(path, options.existing);
+  folder.write_case(resolved_case(*loaded.kind, loaded.values));
+  return run_study(loaded, options, std::move(folder), Begin::anew);
 }
 
 }  // namespace fiberfate

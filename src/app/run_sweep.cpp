@@ -17,26 +17,23 @@
 #include "base/error.hpp"
 #include "io/atomic_file.hpp"
 #include "results/result_folder.hpp"
-#include "results/summary_values.hpp"
+#include "results/summary.hpp"
 
 namespace fiberfate {
 namespace {
 
-LoadedCase load_run(const RunOptions& options, const SweepRun& run) {
-  CaseChanges changes = options.changes;
-  changes.overrides.insert(changes.overrides.end(), run.changes.begin(), run.changes.end());
-  return load_case(options.case_file, case_kinds(), changes);
-}
-
-/// Reads every case of a sweep, so that none is refused when others have run for hours.
-void check_all(const RunOptions& options, const std::vector<SweepRun>& runs) {
+/// Reads the cases of all runs at once, so that none is refused when others have run for hours.
+std::vector<LoadedCase> load_all(const RunOptions& options, const std::vector<SweepRun>& runs) {
+  std::vector<LoadedCase> cases;
   std::vector<InputProblem> problems;
   std::set<std::string> told;
   for (const SweepRun& run : runs) {
     try {
-      const LoadedCase loaded = load_run(options, run);
-      check_options(study_of(loaded), options.session);
-      for (const std::string& warning : loaded.warnings)
+      CaseChanges changes = options.changes;
+      changes.overrides.insert(changes.overrides.end(), run.changes.begin(), run.changes.end());
+      cases.push_back(load_case(options.case_file, case_kinds(), changes));
+      check_options(study_of(cases.back()), options.session);
+      for (const std::string& warning : cases.back().warnings)
         if (told.insert(warning).second) say(fmt::format("warning: {}\n", warning));
     } catch (const InputError& error) {
       for (const InputProblem& problem : error.problems())
@@ -44,15 +41,13 @@ void check_all(const RunOptions& options, const std::vector<SweepRun>& runs) {
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));
+  return cases;
 }
 
 /// Runs one case; what ends it is told and becomes its status.
-ExitStatus run_one(const RunOptions& options, const SweepRun& run, const std::string& path) {
+ExitStatus run_one(const LoadedCase& loaded, const RunOptions& options, const std::string& path) {
   try {
-    const LoadedCase loaded = load_run(options, run);
-    OwnedFolder folder = OwnedFolder::create(path, options.existing);
-    folder.write_case(resolved_case(*loaded.kind, loaded.values));
-    return static_cast<ExitStatus>(run_study(loaded, options, std::move(folder), Begin::anew));
+    return static_cast<ExitStatus>(run_anew(loaded, options, path));
   } catch (const SimulationFailure& error) {
     say(fmt::format("fiberfate: {}: the simulation failed: {}\n", path, error.what()));
   } catch (const InputError& error) {
@@ -65,7 +60,7 @@ ExitStatus run_one(const RunOptions& options, const SweepRun& run, const std::st
 std::vector<std::pair<std::string, SummaryValue>> summary_of(const std::string& path, ExitStatus status) {
   if (status == ExitStatus::done || status == ExitStatus::stopped)
     if (const std::string file = path + "/summary.json"; std::filesystem::exists(file))
-      return summary_values(file);
+      return SummaryFile(file).values();
   return {{"stop_reason", status == ExitStatus::stopped ? "signal" : "failed"}};
 }
 
@@ -79,14 +74,15 @@ int run_sweep(const RunOptions& options, const std::string& path) {
     columns.push_back(keys.back().key);
   }
   const std::vector<SweepRun> runs = sweep_runs(keys);
-  check_all(options, runs);
+  const std::vector<LoadedCase> cases = load_all(options, runs);
   OwnedFolder folder = OwnedFolder::create(path, options.existing);
   const std::string file = folder.make("sweep.csv");
   SweepTable table(columns);
   ExitStatus worst = ExitStatus::done;
-  for (const SweepRun& run : runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SweepRun& run = runs[i];
     const std::string run_path = folder.folder().file(run.folder);
-    const ExitStatus status = run_one(options, run, run_path);
+    const ExitStatus status = run_one(cases[i], options, run_path);
     if (status != ExitStatus::done) worst = status;
     std::vector<std::string> cells = {run.folder};
     cells.insert(cells.end(), run.values.begin(), run.values.end());

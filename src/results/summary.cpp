@@ -141,6 +141,21 @@ std::vector<double> SummaryFile::numbers(const std::string& key) const {
   return found == document_->json.end() ? std::vector<double>{} : numbers_in(*found);
 }
 
+std::vector<std::pair<std::string, SummaryValue>> SummaryFile::values() const {
+  std::vector<std::pair<std::string, SummaryValue>> all;
+  for (const auto& [key, value] : document_->json.items()) {
+    if (value.is_string()) all.emplace_back(key, value.get<std::string>());
+    if (value.is_number_integer()) all.emplace_back(key, value.get<std::int64_t>());
+    if (value.is_number_float()) all.emplace_back(key, value.get<double>());
+    if (!value.is_array()) continue;
+    if (const Mat3 entries = tensor(key); entries.allFinite())
+      all.emplace_back(key, entries);
+    else if (std::vector<double> list = numbers(key); !list.empty())
+      all.emplace_back(key, std::move(list));
+  }
+  return all;
+}
+
 std::vector<double> SummaryFile::timings() const {
   std::vector<double> seconds;
   const auto timings = document_->json.find("timings");

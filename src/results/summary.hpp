@@ -59,6 +59,8 @@ class SummaryFile {
   [[nodiscard]] std::string text(const std::string& key) const;    ///< empty where it is missing
   [[nodiscard]] Mat3 tensor(const std::string& key) const;         ///< NaN where it is missing
   [[nodiscard]] std::vector<double> numbers(const std::string& key) const;  ///< empty where they are missing
+  /// Lists every value in the order of the file; leaves out what is null or of another kind (`timings`).
+  [[nodiscard]] std::vector<std::pair<std::string, SummaryValue>> values() const;
   /// Lists the seconds of each phase in the order of phase_names; empty where they are missing.
   [[nodiscard]] std::vector<double> timings() const;
 
