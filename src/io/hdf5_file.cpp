@@ -233,6 +233,12 @@ void Hdf5File::write_bytes(const std::string& name, const TableLayout& layout, s
   if (count > 0) checked(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes), action);
 }
 
+void Hdf5File::require_rows(const std::string& name, RowRange range) const {
+  const std::uint64_t there = rows(name);
+  if (range.first > there || range.count > there - range.first)
+    throw StorageError("cannot read " + path_ + " (" + name + "): it has fewer rows than a frame counts");
+}
+
 void Hdf5File::read_bytes(const std::string& name, Element element, RowRange range, void* bytes) const {
   if (range.count == 0) return;
   const Hdf5Action action{"cannot read", path_, name};

@@ -72,13 +72,13 @@ class Hdf5File {
   /// Reads a whole dataset, row after row.
   template <class T>
   [[nodiscard]] std::vector<T> read(const std::string& name) const {
-    return read_rows<T>(name, {0, rows(name)});
+    return read_known<T>(name, {0, rows(name)});
   }
+  /// Reads some rows; raises StorageError before anything is allocated where there are fewer.
   template <class T>
   [[nodiscard]] std::vector<T> read_rows(const std::string& name, RowRange range) const {
-    std::vector<T> values(range.count * columns(name));
-    read_bytes(name, element_of<T>(), range, values.data());
-    return values;
+    require_rows(name, range);
+    return read_known<T>(name, range);
   }
 
   void make_group(const std::string& name);
@@ -114,6 +114,13 @@ class Hdf5File {
   Hdf5File(std::int64_t id, std::string path);
   void write_bytes(const std::string& name, const TableLayout& layout, std::uint64_t count,
                    const void* bytes);
+  void require_rows(const std::string& name, RowRange range) const;
+  template <class T>
+  [[nodiscard]] std::vector<T> read_known(const std::string& name, RowRange range) const {
+    std::vector<T> values(range.count * columns(name));
+    read_bytes(name, element_of<T>(), range, values.data());
+    return values;
+  }
   void read_bytes(const std::string& name, Element element, RowRange range, void* bytes) const;
   void append_bytes(const std::string& name, Element element, std::uint64_t count, const void* bytes);
   void write_attribute_bytes(const std::string& object, const std::string& name, Element element,

@@ -10,19 +10,9 @@ namespace {
 
 using vtkhdf::Kind;
 
-/// Reads rows whose number a file tells, which may be damaged.
-template <class T>
-std::vector<T> rows_of(const Hdf5File& file, const std::string& name, RowRange range) {
-  const std::uint64_t rows = file.rows(name);
-  if (range.first > rows || range.count > rows - range.first)
-    throw StorageError("cannot read " + file.path() + " (" + name +
-                       "): it has fewer rows than a frame counts");
-  return file.read_rows<T>(name, range);
-}
-
 template <class T>
 T value_at(const Hdf5File& file, const std::string& name, std::size_t row) {
-  return rows_of<T>(file, name, {row, 1}).front();
+  return file.read_rows<T>(name, {row, 1}).front();
 }
 
 /// Raises StorageError unless every cell is made of points that there are.
@@ -43,16 +33,16 @@ FrameArray read_array(const Hdf5File& file, const std::string& name, RowRange ra
   array.components = static_cast<int>(file.columns(name));
   switch (file.layout(name).element) {
     case Element::float64:
-      array.values = rows_of<double>(file, name, range);
+      array.values = file.read_rows<double>(name, range);
       break;
     case Element::float32:
-      array.values = rows_of<float>(file, name, range);
+      array.values = file.read_rows<float>(name, range);
       break;
     case Element::int32:
-      array.values = rows_of<std::int32_t>(file, name, range);
+      array.values = file.read_rows<std::int32_t>(name, range);
       break;
     case Element::uint32:
-      array.values = rows_of<std::uint32_t>(file, name, range);
+      array.values = file.read_rows<std::uint32_t>(name, range);
       break;
     default:
       throw StorageError("cannot read " + file.path() + " (" + name + "): unexpected element type");
@@ -92,18 +82,18 @@ PolyFrame VtkhdfReader::read(std::size_t frame) const {
   if (number_at(vtkhdf::of(vtkhdf::polygons, "NumberOfCells"), part) > 0) result.shape = CellShape::polygon;
   const std::size_t topology = vtkhdf::topology_of(result.shape);
   const auto first_of = [&](const std::string& name) {
-    return static_cast<std::uint64_t>(rows_of<std::int64_t>(file_, name, {frame, 1})[topology]);
+    return static_cast<std::uint64_t>(file_.read_rows<std::int64_t>(name, {frame, 1})[topology]);
   };
   const std::uint64_t cells = number_at(vtkhdf::of(topology, "NumberOfCells"), part);
   const std::uint64_t points = number_at(vtkhdf::point_counts, part);
-  result.points = rows_of<double>(file_, vtkhdf::points, {number_at(vtkhdf::point_offsets, frame), points});
-  result.offsets = rows_of<std::int64_t>(file_, vtkhdf::of(topology, "Offsets"),
-                                         {first_of(vtkhdf::cell_offsets) + part, cells + 1});
+  result.points = file_.read_rows<double>(vtkhdf::points, {number_at(vtkhdf::point_offsets, frame), points});
+  result.offsets = file_.read_rows<std::int64_t>(vtkhdf::of(topology, "Offsets"),
+                                                 {first_of(vtkhdf::cell_offsets) + part, cells + 1});
   if (result.offsets.empty())
     throw StorageError("cannot read " + file_.path() + ": a frame has an impossible number of cells");
   if (result.shape == CellShape::polygon)
-    result.connectivity = rows_of<std::int64_t>(
-        file_, vtkhdf::of(topology, "Connectivity"),
+    result.connectivity = file_.read_rows<std::int64_t>(
+        vtkhdf::of(topology, "Connectivity"),
         {first_of(vtkhdf::connectivity_offsets), static_cast<std::uint64_t>(result.offsets.back())});
   require_whole(result, file_.path());
   result.point_data = read_arrays(file_, Kind::point, frame, points);
