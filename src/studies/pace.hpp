@@ -50,6 +50,9 @@ class Pace {
   std::vector<Mark> marks_;
 };
 
+/// Thrown to end a trial, whose time is used up, from within.
+struct TrialEnd {};
+
 /// Calls a trial, which gives the wall seconds of a run, for an estimate. Where the trial fails the run will,
 /// too: the seconds are then NaN, and the estimate says why.
 void foretell(CaseEstimate& estimate, const std::function<double()>& trial, const std::string& assumption);

@@ -35,9 +35,6 @@ std::vector<double> histogram_times(const AttritionCase& values) {
   return values.output.histogram_times;
 }
 
-/// Ends a trial whose time is used up.
-struct TrialEnd {};
-
 /// Follows one law; in a trial only as far as its time reaches.
 Followed follow(const AttritionCase& values, const LawChoice& choice, const Session* session,
                 Pace* trial = nullptr) {

@@ -28,9 +28,6 @@ constexpr std::size_t curve_points = 101;
 /// them; a profile is so many searches.
 constexpr double fit_iterations = 20, bootstrap_share = 0.3, profile_fits = 10;
 
-/// Ends a trial whose time is used up.
-struct TrialEnd {};
-
 /// The tables of a run, which several fits fill.
 struct Tables {
   CsvTable fit{{"fit", "series", "time_s", "observed", "uncertainty", "predicted"}};

@@ -174,7 +174,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
   }
   if (!checker.is_sound()) return;
   if (values.solution.steady == SteadyChoice::yes &&
-      !(rate_of(gradient_history(values.flow).at(values.run.duration).gradient) > 0))
+      !(gradient_history(values.flow).at(values.run.duration).shear_rate() > 0))
     checker.error("solution.steady", "nothing deforms at the end of the run: every orientation stays",
                   "give a flow with a rate, or take steady = \"no\"");
   warn_of_doubts(values, checker);
@@ -190,9 +190,10 @@ double orientation_bytes(const OrientationCase& values) {
 }
 
 CaseEstimate estimate_orientation(const OrientationCase& values) {
-  const Mat3 gradient = gradient_history(values.flow).at(0).gradient;
-  const double rate = rate_of(gradient);
-  const Mat3 diffusion = rotary_diffusion(orientation_model(values), values.fibers.orientation, gradient);
+  const Flow flow = gradient_history(values.flow).at(0);
+  const double rate = flow.shear_rate();
+  const Mat3 diffusion =
+      rotary_diffusion(orientation_model(values), values.fibers.orientation, flow.gradient);
   CaseEstimate estimate;
   estimate.facts = {
       {"rate at the start", fmt::format("{:.6g} 1/s", rate)},
@@ -203,11 +204,6 @@ CaseEstimate estimate_orientation(const OrientationCase& values) {
   foretell(
       estimate, [&] { return orientation_seconds(values); }, "from a trial of its beginning");
   return estimate;
-}
-
-double rate_of(const Mat3& gradient) {
-  const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
-  return std::sqrt(2 * double_dot(strain_rate, strain_rate));
 }
 
 double fiber_term(const OrientationFiberChoices& fibers) {

@@ -75,8 +75,6 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker);
 [[nodiscard]] const LawMenu& diffusion_menu();
 [[nodiscard]] const LawMenu& retardation_menu();
 
-/// The scalar rate sqrt(2 D:D) of a velocity gradient, 1/s.
-[[nodiscard]] double rate_of(const Mat3& gradient);
 /// phi N_p: as given, or of semi-dilute fibers of the given volume fraction and aspect ratio.
 [[nodiscard]] double fiber_term(const OrientationFiberChoices& fibers);
 

@@ -63,16 +63,16 @@ class OrientationRun {
 
   [[nodiscard]] OrientationMoment advance_to(double time) {
     for (double at = time_; at < time; at = std::min(time, history_.next_change(at)))
-      strain_ += rate_of(history_.at(at).gradient) * (std::min(time, history_.next_change(at)) - at);
+      strain_ += history_.at(at).shear_rate() * (std::min(time, history_.next_change(at)) - at);
     time_ = time;
     integrator_.advance_to(time);
-    const Mat3 gradient = history_.at(time).gradient;
-    OrientationMoment now{time, strain_, rate_of(gradient), integrator_.state().second};
+    const Flow flow = history_.at(time);
+    OrientationMoment now{time, strain_, flow.shear_rate(), integrator_.state().second};
     const Mat6 fourth = close(now.second, model_.closure);
     now.principal = eigenframe(now.second).values;
-    now.stretching_share = stretching_share(0.5 * (gradient + gradient.transpose()), fourth);
+    now.stretching_share = stretching_share(flow.rate_of_strain(), fourth);
     if (distribution_) now.exact = distribution_->advance_to(time);
-    if (stress_) now.stress = stress_->at(gradient, fourth);
+    if (stress_) now.stress = stress_->at(flow, fourth);
     return now;
   }
 

@@ -12,9 +12,9 @@ StressEvaluator::StressEvaluator(const OrientationCase& values)
       fiber_term_(fiberfate::fiber_term(values.fibers)),
       trouton_term_(values.fibers.trouton_term.value_or(fiber_term_)) {}
 
-MeltStress StressEvaluator::at(const Mat3& gradient, const Mat6& fourth) const {
-  const Mat3 strain_rate = 0.5 * (gradient + gradient.transpose());
-  const double viscosity = melt_->at({rate_of(gradient), temperature_, pressure_});
+MeltStress StressEvaluator::at(const Flow& flow, const Mat6& fourth) const {
+  const Mat3 strain_rate = flow.rate_of_strain();
+  const double viscosity = melt_->at({flow.shear_rate(), temperature_, pressure_});
   return {viscosity, informed_isotropic_viscosity(viscosity, trouton_term_, strain_rate, fourth),
           anisotropic_stress(viscosity, fiber_term_, strain_rate, fourth)};
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "continuum/viscosity.hpp"
+#include "microstructure/flow.hpp"
 #include "microstructure/tensor.hpp"
 #include "studies/orientation/case.hpp"
 
@@ -20,8 +21,8 @@ struct MeltStress {
 class StressEvaluator {
  public:
   explicit StressEvaluator(const OrientationCase& values);
-  /// Takes a velocity gradient, 1/s, and A4.
-  [[nodiscard]] MeltStress at(const Mat3& gradient, const Mat6& fourth) const;
+  /// Takes the flow, of which the velocity gradient counts, and A4.
+  [[nodiscard]] MeltStress at(const Flow& flow, const Mat6& fourth) const;
   /// phi N_p.
   [[nodiscard]] double fiber_term() const { return fiber_term_; }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "studies/summary_tensors.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -14,9 +16,7 @@ void append_constants(RunSummary& summary, const std::string& prefix,
                                                 {"nu_23", c.nu23},  {"nu_31", c.nu31},  {"nu_12", c.nu12}};
   for (const auto& [name, value] : all) summary.own.emplace_back(prefix + name, value);
   summary.own.emplace_back(prefix + "thermal_expansion_per_K", thermal_expansion(properties));
-  std::vector<double> rows;
-  for (int i = 0; i < 36; ++i) rows.push_back(properties.stiffness(i / 6, i % 6));
-  summary.own.emplace_back(prefix + "stiffness_Pa", rows);
+  summary.own.emplace_back(prefix + "stiffness_Pa", components(properties.stiffness));
 }
 
 }  // namespace
