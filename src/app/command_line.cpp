@@ -320,8 +320,9 @@ int run_command_line(int argument_count, const char* const* arguments) {
     return report_error(ExitStatus::failed, out_of_memory);
   } catch (const std::length_error&) {  // more than any machine has
     return report_error(ExitStatus::failed, out_of_memory);
-  } catch (const std::system_error& error) {               // of the standard streams
-    if (error.code() == std::errc::broken_pipe) return 0;  // a reader that has seen enough
+  } catch (const std::system_error& error) {  // of the standard streams
+    if (error.code() == std::errc::broken_pipe)
+      return static_cast<int>(ExitStatus::done);  // a reader that has seen enough
     return report_error(ExitStatus::failed,
                         fmt::format("cannot write the output: {}", reason_text(error.code().value())));
   } catch (const std::exception& error) {

@@ -7,10 +7,10 @@
 #include <exception>
 #include <new>
 
+#include "app/exit_status.hpp"
+
 namespace fiberfate {
 namespace {
-
-constexpr int failed = 3;
 
 const char* reason() noexcept {
   try {
@@ -31,7 +31,7 @@ void say(const char* text) noexcept {
   say("fiberfate: ");
   say(reason());
   say("\n");
-  ::_exit(failed);
+  ::_exit(static_cast<int>(ExitStatus::failed));
 }
 
 }  // namespace
