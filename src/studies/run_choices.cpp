@@ -81,8 +81,7 @@ std::vector<double> series_times(const RunChoices& run, const SeriesChoices& ser
     if (next == end || *next > time + oneness) times.push_back(time);
   }
   std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  times.erase(repeated.begin(), repeated.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   return times;
 }
 
