@@ -1,4 +1,4 @@
-// Holds the Phelps-Tucker solver against an independent solution of the same equations (matrix exponential).
+// Compares the Phelps-Tucker solver with an independent solution of the same equations (matrix exponential).
 #include <gtest/gtest.h>
 
 #include <cmath>
