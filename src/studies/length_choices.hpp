@@ -32,7 +32,9 @@ struct LengthChoices {
 
 /// Whether both or one of the means at the start is given.
 [[nodiscard]] bool gives_means(const LengthChoices& fibers);
-/// Whether a law follows lengths in bins.
+/// The laws that follow lengths in bins: "phelps and durin".
+[[nodiscard]] std::string laws_of_bins();
+/// Whether a law is one of them.
 [[nodiscard]] bool needs_bins(const LawChoice& law);
 /// Finds mean lengths of which one is missing, or that contradict each other.
 void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker);

@@ -52,9 +52,9 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
     checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
   const bool bins = needs_bins(values.law) || needs_bins(values.compared);
   if (fibers.form == LengthForm::means && bins)
-    checker.error("fibers.form", "phelps and durin follow distributions only",
+    checker.error("fibers.form", laws_of_bins() + " follow distributions only",
                   "take form = \"distribution\"");
-  if (!bins) checker.warn_unused({"fibers.bins", "fibers.largest_length"}, "the laws phelps and durin");
+  if (!bins) checker.warn_unused({"fibers.bins", "fibers.largest_length"}, "the laws " + laws_of_bins());
   if (!checker.is_sound() || !bins || !fibers.largest_length) return;
   const std::vector<double> lengths = length_start(fibers).initial.lengths;
   if (*std::max_element(lengths.begin(), lengths.end()) > *fibers.largest_length)

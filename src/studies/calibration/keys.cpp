@@ -24,7 +24,7 @@ KeyGroup<CalibrationConditions> condition_keys() {
       key("lengths", &Conditions::lengths, {"m", "mm"}, Range::positive(10),
           "Fiber lengths at the start, where they differ between conditions.", optional("[\"15 mm\"]")),
       key("compressions", &Conditions::compressions, {}, Range::between(0, 1),
-          "-2 D:A/rate, for phelps and durin; not given: 1, the worst direction."),
+          "-2 D:A/rate, for " + laws_of_bins() + "; not given: 1, the worst direction."),
       texts_key("flows", &Conditions::flows,
                 "For orientation: shear, planar, uniaxial or biaxial; not given: shear."),
       key("shear_gradient", &Conditions::shear_gradient, shear_gradient_choices(), shear_gradient_text),

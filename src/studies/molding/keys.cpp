@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "keys/law_choice.hpp"
+#include "studies/length_choices.hpp"
 #include "studies/molding/case.hpp"
 
 namespace fiberfate {
@@ -27,7 +28,7 @@ KeyRows<MoldingFiberChoices> length_keys() {
           "L_N at the gates, followed by itself beside L_W.", {}, "thesis 4.3"),
       key("weight_average", &Fibers::weight_average, units, range, "L_W at the gates.", {}, "thesis 4.3"),
       key("weight", &Fibers::weight, weights,
-          "What a class keeps while it becomes shorter; not for phelps and durin."),
+          "What a class keeps while it becomes shorter; not for " + laws_of_bins() + "."),
       key("diameter", &Fibers::diameter, {"m", "um"}, Range::positive(1e-3), "Diameter."),
       key("volume_fraction", &Fibers::volume_fraction, {}, Range::inside(0, 1),
           "Share of the volume that is fiber.", required("0.13")),
