@@ -28,7 +28,7 @@ KeyGroup<CalibrationConditions> condition_keys() {
       texts_key("flows", &Conditions::flows,
                 "For orientation: shear, planar, uniaxial or biaxial; not given: shear."),
       key("shear_gradient", &Conditions::shear_gradient, shear_gradient_choices(), shear_gradient_text),
-      {"moldings", describe_moldings},
+      moldings_key(),
       orientation_key("orientation", &Conditions::orientation, "A2 at the start, for orientation."),
   };
   return {"conditions", "The experiments. Lists have one entry for each of conditions.names, or one for all.",
@@ -57,7 +57,7 @@ KeyGroup<CalibrationData> data_keys() {
           "What was measured.",
           {
               {"series", describe_series},
-              {"lengths", describe_molded_lengths},
+              molded_lengths_key(),
               key("relative_uncertainty", &Data::relative_uncertainty, {}, Range::positive(10),
                   "Standard deviation of lengths and rate constants over their values, where the file has "
                   "none."),

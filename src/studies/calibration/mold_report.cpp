@@ -35,11 +35,11 @@ LinesSection lengths_section(const CalibrationCase& values, const std::vector<Me
                        {},
                        {}};
   const std::vector<std::string> places = places_of(measured, condition);
-  for (const Observed observed : {Observed::number_average, Observed::weight_average}) {
-    const std::string label = observed == Observed::number_average ? "L_N" : "L_W";
+  for (const LengthMean mean : length_means) {
+    const std::string label = symbol(mean);
     ReportSeries predicted{label + ", fitted", {}}, samples{label + ", measured", {}, CurveStyle::points};
     for (std::size_t s = 0; s < measured.size(); ++s) {
-      if (measured[s].condition != condition || measured[s].observed != observed) continue;
+      if (measured[s].condition != condition || measured[s].observed != observed_mean(mean)) continue;
       const auto number = static_cast<double>(s);
       const auto place = std::find(places.begin(), places.end(), measured[s].place);
       const auto x = static_cast<double>(1 + (place - places.begin()));

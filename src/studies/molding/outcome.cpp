@@ -113,7 +113,7 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields, const std::v
   const std::vector<NamedPlace>& places = fields.values().output.places;
   std::vector<SweptLength> lengths;
   for (std::size_t place = 0; place < places.size(); ++place)
-    for (const MeasuredMean mean : {MeasuredMean::number_average, MeasuredMean::weight_average}) {
+    for (const LengthMean mean : length_means) {
       SweptLength one;
       for (const MeasuredLength& measured : fields.values().sweep.measured)
         if (measured.place == places[place].name && measured.mean == mean)
@@ -121,8 +121,7 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields, const std::v
       if (one.measured.empty()) continue;
       for (const PlaceSample& sample : samples)
         if (sample.place == place && std::isfinite(sample.value))
-          one.predicted.push_back(mean == MeasuredMean::number_average ? sample.means.number_average
-                                                                       : sample.means.weight_average);
+          one.predicted.push_back(sample.means.at(mean));
       lengths.push_back(std::move(one));
     }
   return lengths;
