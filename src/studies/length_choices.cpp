@@ -77,6 +77,11 @@ void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker) {
                   "L_N is less than L_W; for equal lengths give fibers.length");
 }
 
+void validate_distribution(const std::vector<std::vector<double>>& rows, CaseChecker& checker) {
+  if (!rows.empty() && std::ranges::all_of(rows, [](const auto& row) { return row[1] == 0; }))
+    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
+}
+
 LengthClasses length_classes(const std::vector<std::vector<double>>& rows) {
   LengthClasses classes;
   for (const std::vector<double>& row : rows) {

@@ -47,9 +47,7 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
                   given == 0 ? "no lengths are given" : "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");
   if (means) validate_mean_lengths(fibers, checker);
-  if (!fibers.distribution.empty() && std::all_of(fibers.distribution.begin(), fibers.distribution.end(),
-                                                  [](const auto& row) { return row[1] == 0; }))
-    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
+  validate_distribution(fibers.distribution, checker);
   const bool bins = needs_bins(values.law) || needs_bins(values.compared);
   if (fibers.form == LengthForm::means && bins)
     checker.error("fibers.form", laws_of_bins() + " follow distributions only",
