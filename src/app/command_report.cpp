@@ -7,12 +7,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "base/version.hpp"
 #include "io/atomic_file.hpp"
 #include "keys/case_file.hpp"
 #include "results/report_document.hpp"
 #include "results/result_folder.hpp"
+#include "results/summary.hpp"
 
 namespace fiberfate {
 
@@ -36,6 +38,8 @@ int run_report(const ReportOptions& options) {
   document.case_name = folder_name(folder.path());
   document.study = loaded.kind->name;
   document.version = version;
+  const std::optional<SummaryFile> summary = read_summary(folder.summary());
+  document.stop_reason = summary ? summary->text("stop_reason") : "unfinished";
   const std::string page = render_report(document);
   if (std::filesystem::exists(folder.report()) && !recorded_files(folder.path()).contains("report.html"))
     throw InputError(folder.report() + " is there already, and fiberfate did not make it", "move it away");

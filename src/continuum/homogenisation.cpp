@@ -90,6 +90,13 @@ Mat3 thermal_expansion(const ThermoelasticProperties& properties) {
   return contracted(inverse(properties.stiffness), properties.thermal_stress);
 }
 
+bool is_finite(const ThermoelasticProperties& properties) {
+  const Mat6 compliance = inverse(properties.stiffness);
+  return properties.stiffness.allFinite() && properties.thermal_stress.allFinite() &&
+         compliance.allFinite() && (compliance.diagonal().array() != 0).all() &&
+         thermal_expansion(properties).allFinite();
+}
+
 Mat6 eshelby_tensor(double aspect_ratio, double nu) {
   if (!(aspect_ratio > 0) || !std::isfinite(aspect_ratio) || !(nu > -1) || !(nu < 0.5))
     throw InputError(

@@ -48,6 +48,9 @@ struct ThermoelasticProperties {
 /// Thermal expansion alpha = C⁻¹ : beta, 1/K.
 [[nodiscard]] Mat3 thermal_expansion(const ThermoelasticProperties& properties);
 
+/// Whether stiffness, compliance and expansion are finite numbers: models far out of their range give others.
+[[nodiscard]] bool is_finite(const ThermoelasticProperties& properties);
+
 /// Eshelby's tensor of a spheroid about axis 1 with aspect ratio r in an isotropic matrix; spheres, fibers
 /// and discs by one formula without cancellation. Raises InputError unless r > 0 and -1 < nu < 1/2. Source:
 /// Taya, Arsenault, Metal Matrix Composites (1989), p. 250, rewritten with H = (2 - 3 G)/(r² - 1).

@@ -3,8 +3,10 @@
 
 #include "base/entry_by_name.hpp"
 #include "continuum/constant_relaxation.hpp"
+#include "continuum/durin_breakage.hpp"
 #include "continuum/law_values.hpp"
 #include "continuum/length_parameters.hpp"
+#include "continuum/phelps_breakage.hpp"
 #include "continuum/rate_power.hpp"
 #include "continuum/stress_induced.hpp"
 #include "continuum/unbreakable_length.hpp"
@@ -17,12 +19,13 @@ using Values = std::span<const double>;
 /// A law that relaxes lengths.
 template <class Formula>
 AttritionLawEntry relaxation() {
-  return {Formula::name, Formula::meaning, Formula::parameters(), [](Values values) {
+  return {Formula::name, Formula::meaning, Formula::parameters(), AttritionForm::relaxation,
+          [](Values values) {
             return make_relaxation_law(std::make_unique<RelaxationLawOf<Formula>>(Formula::of(values)));
           }};
 }
 
-std::vector<LawParameter> phelps_parameters() {
+std::vector<LawParameter> fragmentation_parameters() {
   return {
       {"C_B", "1", "Breakage coefficient: breakages of a long fiber per unit of strain", required_value},
       {"zeta", "1", "Drag coefficient of the buckling load; 0 where L_ub is given instead", 0.0},
@@ -32,25 +35,20 @@ std::vector<LawParameter> phelps_parameters() {
       {"L_ub", "m", "Unbreakable length when given; 0 computes it from zeta, E_f, d_f and the flow", 0.0}};
 }
 
-/// A law that breaks the fibers of bins, at one of the rates of phelps.hpp.
-template <BreakageRate rate>
-AttritionLawEntry fragmentation(const char* name, const char* meaning) {
-  return {name, meaning, phelps_parameters(), [](Values v) {
-            return make_fragmentation_law({v[0], v[1], v[2], v[3], v[4], v[5], rate});
+/// A law that breaks the fibers of bins.
+template <class Breakage>
+AttritionLawEntry fragmentation() {
+  return {Breakage::name, Breakage::meaning, fragmentation_parameters(), AttritionForm::fragmentation,
+          [](Values v) {
+            return make_fragmentation_law({v[0], v[1], v[2], v[3], v[4], v[5], Breakage::share});
           }};
 }
 
 std::vector<AttritionLawEntry> make_entries() {
   return {
-      relaxation<ConstantRelaxation>(),
-      relaxation<UnbreakableLength>(),
-      relaxation<RatePower>(),
-      relaxation<StressInduced>(),
-      fragmentation<BreakageRate::phelps>(
-          "phelps",
-          "dN_i/dt = -P_i N_i + sum R_ik N_k, P = C_B rate max(0, 1 - exp(1 - (L/L_ub)^4)) (Phelps-Tucker)"),
-      fragmentation<BreakageRate::durin>(
-          "durin", "As phelps, with P = C_B rate min(1, (1 - exp(-(L/L_ub)^4))/(1 - 1/e)) (Durin)")};
+      relaxation<ConstantRelaxation>(), relaxation<UnbreakableLength>(), relaxation<RatePower>(),
+      relaxation<StressInduced>(),      fragmentation<PhelpsBreakage>(), fragmentation<DurinBreakage>(),
+  };
 }
 
 }  // namespace

@@ -12,17 +12,21 @@
 
 namespace fiberfate {
 
+/// How a law changes lengths: classes of fibers approach a length, or the fibers of bins break.
+enum class AttritionForm { relaxation, fragmentation };
+
 /// Describes a law of the registry.
 struct AttritionLawEntry {
   std::string name;     ///< as in case files, "stress_induced"
   std::string summary;  ///< one sentence with the equations
   std::vector<LawParameter> parameters;
+  AttritionForm form;
   /// Makes the law from the values of its parameters, SI, in the order of `parameters`.
   std::unique_ptr<AttritionLaw> (*make)(std::span<const double> values);
 };
 
-/// Gives all laws. To add one: a header like unbreakable_length.hpp, a row in length_registry.cpp, a test
-/// (docs/develop/adding_a_point_law.md).
+/// Gives all laws. To add one: a header like unbreakable_length.hpp or durin_breakage.hpp, a row in
+/// length_registry.cpp, a test (docs/develop/adding_a_point_law.md).
 [[nodiscard]] const std::vector<AttritionLawEntry>& attrition_laws();
 
 /// Finds a law by name; raises InputError with the nearest name when there is none.

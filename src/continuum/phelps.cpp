@@ -35,12 +35,6 @@ double unbreakable_length(const PhelpsConstants& constants, const LengthFlow& fl
   return coefficient > 0 ? std::pow(coefficient, -0.25) : std::numeric_limits<double>::infinity();
 }
 
-double breakage_share(BreakageRate breakage_rate, double buckling_number) {
-  if (!(buckling_number > 0)) return 0;
-  if (breakage_rate == BreakageRate::phelps) return std::max(0.0, -std::expm1(1 - buckling_number));
-  return std::min(1.0, std::expm1(-buckling_number) / std::expm1(-1.0));
-}
-
 void fill_children(std::size_t parent_bins, double spread, std::span<double> children) {
   require_same_size("children", children.size(), parent_bins - 1);
   const double parent = static_cast<double>(parent_bins);

@@ -6,14 +6,12 @@
 #include <vector>
 
 #include "continuum/length_flow.hpp"
+#include "continuum/phelps_breakage.hpp"
 
 namespace fiberfate {
 
-/// Chooses how the breakage rate grows with B = (L/L_ub)^4 times the compression.
-enum class BreakageRate {
-  phelps,  ///< P = C_B rate max(0, 1 - exp(1 - B)): nothing breaks below L_ub
-  durin,   ///< P = C_B rate min(1, (1 - exp(-B))/(1 - exp(-1))): some break below L_ub, all that can above it
-};
+/// How the breakage rate grows: P/(C_B rate) in [0, 1] over B = (L/L_ub)^4 times the compression, for B > 0.
+using BreakageShare = double (*)(double buckling_number);
 
 /// The constants of the model.
 struct PhelpsConstants {
@@ -23,7 +21,7 @@ struct PhelpsConstants {
   double modulus = 0;               ///< E_f of the fiber, Pa
   double diameter = 0;              ///< d_f of the fiber, m
   double unbreakable_length = 0;    ///< L_ub, m, when it is given; 0 computes it from the flow
-  BreakageRate breakage_rate = BreakageRate::phelps;
+  BreakageShare share = PhelpsBreakage::share;
 };
 
 /// The unbreakable length L_ub = (pi^3 E_f d_f^4/(4 zeta eta rate))^(1/4), m: the length at which the
@@ -37,8 +35,10 @@ struct PhelpsConstants {
 /// flow.
 [[nodiscard]] double buckling_coefficient(const PhelpsConstants& constants, const LengthFlow& flow);
 
-/// P/(C_B rate) in [0, 1] of a fiber whose buckling number is B (see BreakageRate).
-[[nodiscard]] double breakage_share(BreakageRate breakage_rate, double buckling_number);
+/// P/(C_B rate) in [0, 1] of a fiber whose buckling number is B; 0 where nothing presses on it.
+[[nodiscard]] inline double breakage_share(const PhelpsConstants& constants, double buckling_number) {
+  return buckling_number > 0 ? constants.share(buckling_number) : 0;
+}
 
 /// More bins than these gain nothing: their matrix of children (half of bins² numbers) would take gigabytes.
 inline constexpr std::size_t most_bins = 20000;

@@ -211,7 +211,7 @@ double PhelpsSolver::fill_shares(const LengthFlows& flows, std::size_t first_poi
     const LengthFlow flow = lane < count ? flows[first_point + lane] : LengthFlow{};
     const double coefficient = buckling_coefficient(constants_, flow);
     const auto share_of = [&](std::size_t i) {
-      return i == 0 ? 0.0 : breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+      return i == 0 ? 0.0 : breakage_share(constants_, coefficient * fourth_powers_[i]);
     };
     // Both rates rise with the length, so the last bin's is the largest.
     const double top = share_of(bins_.bins - 1);
@@ -314,7 +314,7 @@ void PhelpsSolver::breakage_rates(const LengthFlows& flows, std::span<double> ra
     rates[point] = 0;
     for (std::size_t i = 1; i < bins_.bins; ++i)
       rates[i * points + point] = constants_.breakage_coefficient * flow.rate *
-                                  breakage_share(constants_.breakage_rate, coefficient * fourth_powers_[i]);
+                                  breakage_share(constants_, coefficient * fourth_powers_[i]);
   }
 }
 

@@ -31,7 +31,7 @@ struct LengthBins {
 /// fibers longer than the last bin, and as LengthBins::check.
 [[nodiscard]] std::vector<double> sort_into_bins(const LengthClasses& classes, const LengthBins& bins);
 
-/// Solves dN_i/dt = -P_i N_i + sum_k R_ik N_k, with P from BreakageRate and R from child_numbers.
+/// Solves dN_i/dt = -P_i N_i + sum_k R_ik N_k, with P from breakage_share and R from child_numbers.
 ///
 /// A step in which the flow is constant is exact to 1e-14 of the events however long it is: the series
 /// of PhelpsBlock, ended where its rest is below that, in as many equal parts as its weights need. Numbers

@@ -54,6 +54,11 @@ bool stores_energy(const Mat6& stiffness) {
   return Mat6(weight.asDiagonal() * symmetric * weight.asDiagonal()).llt().info() == Eigen::Success;
 }
 
+double youngs_modulus_along(const Mat6& compliance, const Vec3& direction) {
+  const Mat3 dyad = direction * direction.transpose();
+  return 1 / double_dot(dyad, contracted(compliance, dyad));
+}
+
 EngineeringConstants engineering_constants(const Mat6& stiffness) {
   require_numbers("stiffness", stiffness.reshaped(), any_finite);
   // C_ijkl as a plain 6×6 matrix takes engineering shear strains (2 e_ij) to stresses, so its inverse gives

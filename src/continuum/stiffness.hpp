@@ -28,6 +28,8 @@ struct EngineeringConstants {
 [[nodiscard]] Mat6 orthotropic_stiffness(const EngineeringConstants& constants);
 /// Whether every strain stores energy, as in any real material.
 [[nodiscard]] bool stores_energy(const Mat6& stiffness);
+/// Young's modulus along a unit vector, 1/(nn : S : nn) with the compliance S, Pa.
+[[nodiscard]] double youngs_modulus_along(const Mat6& compliance, const Vec3& direction);
 /// Reads the engineering constants along the axes 1, 2, 3 from a stiffness; couplings of shear are ignored.
 [[nodiscard]] EngineeringConstants engineering_constants(const Mat6& stiffness);
 

@@ -21,12 +21,16 @@ void check_run(const SteadyAttrition& run) {
                      "give all four as positive numbers");
 }
 
+struct Point {
+  double x, y;
+};
+
 /// Slope of ln y over ln x through two points.
-double slope(double x0, double y0, double x1, double y1, const char* abscissa) {
-  if (x0 == x1)
+double slope(const Point& first, const Point& second, const char* abscissa) {
+  if (first.x == second.x)
     throw InputError(std::string("the two runs have the same ") + abscissa,
                      "an exponent needs runs at two different speeds");
-  return std::log(y0 / y1) / std::log(x0 / x1);
+  return std::log(first.y / second.y) / std::log(first.x / second.x);
 }
 
 }  // namespace
@@ -54,18 +58,18 @@ StressInduced solve_stress_induced(const std::array<SteadyAttrition, 2>& runs, d
   const auto& [first, second] = runs;
   const double stress = first.viscosity * first.rate;
   const double other_stress = second.viscosity * second.rate;
-  const double alpha = -slope(stress, first.relaxation.equilibrium_length, other_stress,
-                              second.relaxation.equilibrium_length, "shear stress");
-  const double beta = slope(stress, first.relaxation.rate_constant, other_stress,
-                            second.relaxation.rate_constant, "shear stress");
+  const double alpha = -slope({stress, first.relaxation.equilibrium_length},
+                              {other_stress, second.relaxation.equilibrium_length}, "shear stress");
+  const double beta = slope({stress, first.relaxation.rate_constant},
+                            {other_stress, second.relaxation.rate_constant}, "shear stress");
   const double k_0 = first.relaxation.rate_constant / std::pow(stress / strength, beta);
   return {interaction_coefficient(first, alpha, strength, diameter), alpha, k_0, beta, strength, diameter};
 }
 
 double rate_exponent(const std::array<SteadyAttrition, 2>& runs) {
   for (const SteadyAttrition& run : runs) check_run(run);
-  return slope(runs[0].rate, runs[0].relaxation.rate_constant, runs[1].rate, runs[1].relaxation.rate_constant,
-               "shear rate");
+  return slope({runs[0].rate, runs[0].relaxation.rate_constant},
+               {runs[1].rate, runs[1].relaxation.rate_constant}, "shear rate");
 }
 
 }  // namespace fiberfate

@@ -111,9 +111,10 @@ inline void add_number(KeyTable& table, const std::string& key, std::optional<st
 /// A number with its unit and range: double, optional, list of doubles or whole number, after the member.
 template <class Group, class Member>
 [[nodiscard]] KeyRow<Group> key(const char* leaf, Member Group::*member, Units units, Range range,
-                                const char* text, Given given = {}, const char* source = "") {
-  const KeyNotes notes = {
-      text, std::move(units.si), std::move(units.friendly), range, given.need, given.example, source};
+                                std::string text, Given given = {}, const char* source = "") {
+  const KeyNotes notes = {std::move(text), std::move(units.si), std::move(units.friendly),
+                          range,           given.need,          given.example,
+                          source};
   return {leaf, [=](KeyTable& table, const std::string& name, Group& group) {
             add_number(table, name, group.*member, notes);
           }};
@@ -124,7 +125,7 @@ using Choices = std::vector<Choice<Enum>>;
 template <class Group, class Enum>
 requires std::is_enum_v<Enum>
 [[nodiscard]] KeyRow<Group> key(const char* leaf, Enum Group::*member,
-                                std::type_identity_t<Choices<Enum>> choices, const char* text,
+                                std::type_identity_t<Choices<Enum>> choices, std::string text,
                                 const char* source = "") {
   return {leaf, [=](KeyTable& table, const std::string& name, Group& group) {
             table.choice(name, group.*member, choices, {.text = text, .source = source});

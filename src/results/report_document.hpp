@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <variant>
@@ -235,6 +236,12 @@ struct ShellSection {
 using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection,
                                    FibersSection, ShellSection>;
 
+/// Adds facts to facts, or sections of one kind to others.
+template <class Item, class Added>
+void append(std::vector<Item>& items, std::vector<Added> more) {
+  items.insert(items.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
 /// What a report shows, from top to bottom.
 struct ReportDocument {
   std::string title;           ///< what kind of report this is
@@ -242,7 +249,7 @@ struct ReportDocument {
   std::string subtitle = {};
   std::string study = {};
   std::string version = {};
-  std::string stop_reason = {};
+  std::string stop_reason = {};  ///< as in summary.json, "unfinished" where there is none
   std::vector<ReportSection> sections = {};
 };
 

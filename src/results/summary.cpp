@@ -2,6 +2,8 @@
 #include "results/summary.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +51,12 @@ std::vector<double> numbers_in(const Json& json) {
 }
 
 }  // namespace
+
+std::string key_part(const std::string& name) {
+  std::string part;
+  for (const char letter : name) part += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+  return part;
+}
 
 void describe_fibers(RunSummary& summary, const FiberState& state) {
   const MeanLengths lengths = mean_lengths(state);
@@ -107,7 +115,14 @@ SummaryFile::SummaryFile(const std::string& path) : document_(std::make_unique<D
   if (!document_->json.is_object())
     throw StorageError("cannot read " + path + ": it holds no values by name");
 }
+SummaryFile::SummaryFile(SummaryFile&&) noexcept = default;
+SummaryFile& SummaryFile::operator=(SummaryFile&&) noexcept = default;
 SummaryFile::~SummaryFile() = default;
+
+std::optional<SummaryFile> read_summary(const std::string& path) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  return SummaryFile(path);
+}
 
 double SummaryFile::number(const std::string& key) const {
   const auto found = document_->json.find(key);

@@ -48,11 +48,16 @@ void describe_fibers(RunSummary& summary, const FiberState& state);
 /// Writes the file in one step; raises StorageError.
 void write_summary(const std::string& path, const RunSummary& summary);
 
+/// Makes a name that can be part of a key: "Loc. 1" becomes "Loc__1".
+[[nodiscard]] std::string key_part(const std::string& name);
+
 /// Gives the values of a summary file.
 class SummaryFile {
  public:
   /// Raises StorageError when the file is missing or not JSON.
   explicit SummaryFile(const std::string& path);
+  SummaryFile(SummaryFile&&) noexcept;
+  SummaryFile& operator=(SummaryFile&&) noexcept;
   ~SummaryFile();
   [[nodiscard]] double number(const std::string& key) const;       ///< NaN where it is missing or null
   [[nodiscard]] std::int64_t count(const std::string& key) const;  ///< 0 where it is missing
@@ -68,5 +73,8 @@ class SummaryFile {
   struct Document;
   std::unique_ptr<Document> document_;
 };
+
+/// Reads a summary; nothing where there is none, because the run has not ended. Raises as SummaryFile.
+[[nodiscard]] std::optional<SummaryFile> read_summary(const std::string& path);
 
 }  // namespace fiberfate

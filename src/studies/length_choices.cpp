@@ -1,8 +1,12 @@
 // Fiber lengths at the start of a study that follows them by a length law.
 #include "studies/length_choices.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <numeric>
 
+#include "continuum/length_registry.hpp"
 #include "continuum/phelps.hpp"
 #include "microstructure/length_distribution.hpp"
 
@@ -39,9 +43,9 @@ KeyRows<LengthChoices> length_form_rows() {
   return {
       key("form", &Lengths::form, forms, "What is followed.", "thesis 4.3 (means), 4.4 (distribution)"),
       key("weight", &Lengths::weight, weights,
-          "What a class keeps while it becomes shorter; not for phelps and durin."),
+          "What a class keeps while it becomes shorter; not for " + laws_of_bins() + "."),
       key("bins", &Lengths::bins, {}, Range::between(2, static_cast<double>(most_bins)),
-          "Bins of phelps and durin. L_ub should span several of them."),
+          "Bins of " + laws_of_bins() + ". L_ub should span several of them."),
       key("largest_length", &Lengths::largest_length, {"m", "mm"}, Range::positive(10),
           "Length of the last bin; not given: the longest fiber at the start."),
   };
@@ -51,8 +55,17 @@ bool gives_means(const LengthChoices& fibers) {
   return fibers.number_average || fibers.weight_average;
 }
 
+std::string laws_of_bins() {
+  std::vector<std::string> names;
+  for (const AttritionLawEntry& one : attrition_laws())
+    if (one.form == AttritionForm::fragmentation) names.push_back(one.name);
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
 bool needs_bins(const LawChoice& law) {
-  return law.name == "phelps" || law.name == "durin";
+  return std::ranges::any_of(attrition_laws(), [&law](const AttritionLawEntry& one) {
+    return one.name == law.name && one.form == AttritionForm::fragmentation;
+  });
 }
 
 void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker) {
@@ -62,6 +75,11 @@ void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker) {
   else if (!(*fibers.number_average < *fibers.weight_average))
     checker.error("fibers.number_average", "not less than " + checker.cite("fibers.weight_average"),
                   "L_N is less than L_W; for equal lengths give fibers.length");
+}
+
+void validate_distribution(const std::vector<std::vector<double>>& rows, CaseChecker& checker) {
+  if (!rows.empty() && std::ranges::all_of(rows, [](const auto& row) { return row[1] == 0; }))
+    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
 }
 
 LengthClasses length_classes(const std::vector<std::vector<double>>& rows) {

@@ -32,10 +32,14 @@ struct LengthChoices {
 
 /// Whether both or one of the means at the start is given.
 [[nodiscard]] bool gives_means(const LengthChoices& fibers);
-/// Whether a law follows lengths in bins.
+/// The laws that follow lengths in bins: "phelps and durin".
+[[nodiscard]] std::string laws_of_bins();
+/// Whether a law is one of them.
 [[nodiscard]] bool needs_bins(const LawChoice& law);
 /// Finds mean lengths of which one is missing, or that contradict each other.
 void validate_mean_lengths(const LengthChoices& fibers, CaseChecker& checker);
+/// Finds a distribution without fibers in fibers.distribution.
+void validate_distribution(const std::vector<std::vector<double>>& rows, CaseChecker& checker);
 /// Makes classes of rows (length m, number).
 [[nodiscard]] LengthClasses length_classes(const std::vector<std::vector<double>>& rows);
 /// Makes what the laws of length begin with.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/threads.hpp"
+#include "continuum/durin_breakage.hpp"
 #include "continuum/phelps_solver.hpp"
 #include "continuum/stress_induced.hpp"
 
@@ -23,10 +24,10 @@ struct Points {
 };
 
 /// Steps of `events` breakages of the longest fiber in the fastest point; 100 bins of fibers up to 15 mm.
-void advance_phelps(benchmark::State& state, BreakageRate breakage_rate) {
+void advance_phelps(benchmark::State& state, BreakageShare share) {
   use_threads(1);
   const Points at;
-  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, breakage_rate}, {100, 15e-3});
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, share}, {100, 15e-3});
   const double events = 1e-3 * static_cast<double>(state.range(0));
   const double duration = events / (0.02 * 2000);
   std::vector<double> numbers(100 * points, 1.0);
@@ -36,12 +37,12 @@ void advance_phelps(benchmark::State& state, BreakageRate breakage_rate) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points));
 }
-BENCHMARK_CAPTURE(advance_phelps, phelps, BreakageRate::phelps)
+BENCHMARK_CAPTURE(advance_phelps, phelps, PhelpsBreakage::share)
     ->Arg(10)
     ->Arg(100)
     ->Arg(1000)
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(advance_phelps, durin, BreakageRate::durin)
+BENCHMARK_CAPTURE(advance_phelps, durin, DurinBreakage::share)
     ->Arg(10)
     ->Arg(100)
     ->Arg(1000)

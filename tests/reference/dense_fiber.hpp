@@ -16,7 +16,7 @@
 
 namespace fiberfate::reference {
 
-/// Holds the sums over the beads of one rod, with rho_k the distance of bead k from the rod's first node.
+/// The sums over the beads of one rod, with rho_k the distance of bead k from the rod's first node.
 struct BeadSums {
   double count = 0;   ///< m
   double first = 0;   ///< sum rho_k, m
@@ -42,7 +42,7 @@ inline BeadSums discrete_beads(int count, double length, double radius) {
   return sums;
 }
 
-/// Holds the resistance of a rod that is not a chain of beads: with P = p p and centre c,
+/// The resistance of a rod that is not a chain of beads: with P = p p and centre c,
 ///   F = (parallel P + perpendicular (I − P)) · (u(c) − v_c),   T = rotational (Omega + shape p × D·p −
 ///   omega).
 struct CentreResistance {
@@ -69,7 +69,7 @@ struct DenseFiber {
   }
 };
 
-/// Holds a force that acts on a point of a rod.
+/// A force that acts on a point of a rod.
 struct PointLoad {
   int rod = 0;
   double place = 0;  ///< in [0, 1] from the rod's first node
@@ -77,14 +77,14 @@ struct PointLoad {
   Vec3 off_axis = Vec3::Zero();  ///< from the axis at `place` to where the force acts, m
 };
 
-/// Holds everything that acts on a fiber besides drag and bending.
+/// Everything that acts on a fiber besides drag and bending.
 struct DenseLoads {
   std::vector<PointLoad> points;
   Eigen::VectorXd node_force = {};    ///< 3 (n+1) entries or empty, N
   Eigen::MatrixXd node_damping = {};  ///< K of a force −K v on the nodes, 3 (n+1) square or empty, N s/m
 };
 
-/// Holds what the dense system yields.
+/// What the dense system yields.
 struct DenseMotion {
   std::vector<Vec3> node_velocity;     ///< m/s
   std::vector<Vec3> angular_velocity;  ///< of each rod, rad/s

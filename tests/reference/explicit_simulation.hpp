@@ -17,7 +17,7 @@
 
 namespace fiberfate::reference {
 
-/// Holds one contact: forces +F on the first rod and −F on the second at their closest points.
+/// One contact: forces +F on the first rod and −F on the second at their closest points.
 struct PairContact {
   RodIndex first;
   RodIndex second;
@@ -27,7 +27,7 @@ struct PairContact {
   double distance = 0;          ///< m
 };
 
-/// Holds a small population that is stepped explicitly.
+/// A small population that is stepped explicitly.
 class ExplicitSimulation {
  public:
   ExplicitSimulation(FiberState state, const Flow& flow, const ContactParameters& contact)

@@ -47,14 +47,12 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
                   given == 0 ? "no lengths are given" : "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");
   if (means) validate_mean_lengths(fibers, checker);
-  if (!fibers.distribution.empty() && std::all_of(fibers.distribution.begin(), fibers.distribution.end(),
-                                                  [](const auto& row) { return row[1] == 0; }))
-    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
+  validate_distribution(fibers.distribution, checker);
   const bool bins = needs_bins(values.law) || needs_bins(values.compared);
   if (fibers.form == LengthForm::means && bins)
-    checker.error("fibers.form", "phelps and durin follow distributions only",
+    checker.error("fibers.form", laws_of_bins() + " follow distributions only",
                   "take form = \"distribution\"");
-  if (!bins) checker.warn_unused({"fibers.bins", "fibers.largest_length"}, "the laws phelps and durin");
+  if (!bins) checker.warn_unused({"fibers.bins", "fibers.largest_length"}, "the laws " + laws_of_bins());
   if (!checker.is_sound() || !bins || !fibers.largest_length) return;
   const std::vector<double> lengths = length_start(fibers).initial.lengths;
   if (*std::max_element(lengths.begin(), lengths.end()) > *fibers.largest_length)

@@ -36,8 +36,8 @@ KeyGroup<AttritionFlowChoices> flow_keys() {
       key("form", &Flow::form, forms,
           "What happens between the rows of the table; the last one holds to the end."),
       key("compression", &Flow::compression, {}, Range::between(0, 1),
-          "-2 D:A/rate of the fibers' orientation; 1 is the worst direction. Only phelps and durin.", {},
-          "Phelps et al. 2013"),
+          "-2 D:A/rate of the fibers' orientation; 1 is the worst direction. Only " + laws_of_bins() + ".",
+          {}, "Phelps et al. 2013"),
   };
   return {"flow", "The shear that breaks the fibers.",
           joined<Flow>({kind, rows_of(&Flow::couette, couette_rows()), melt})};

@@ -11,11 +11,8 @@ namespace {
 
 FactsSection asked(const AttritionCase& values) {
   FactsSection section{"asked", "Inputs", law_facts(attrition_menu(), "Law", values.law)};
-  const auto append = [&section](const std::vector<Fact>& facts) {
-    section.rows.insert(section.rows.end(), facts.begin(), facts.end());
-  };
-  append(law_facts(attrition_menu(), "Compared with", values.compared));
-  append(law_facts(viscosity_menu(), "Viscosity of the melt", values.melt));
+  append(section.rows, law_facts(attrition_menu(), "Compared with", values.compared));
+  append(section.rows, law_facts(viscosity_menu(), "Viscosity of the melt", values.melt));
   if (values.flow.kind == AttritionFlow::couette)
     section.rows.push_back({"Couette rheometer", values.flow.speed.value_or(0), "rpm"});
   section.rows.push_back({"Duration", values.run.duration, "s"});
@@ -59,16 +56,13 @@ HistogramSection histogram_section(const CsvTable& table) {
 }  // namespace
 
 ReportDocument report_attrition(const AttritionCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Fiber attrition";
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"Fiber attrition"};
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(summary));
-  for (LinesSection& chart :
-       draw(length_charts(), joined<LengthMoment>({length_observables(), compared_observables(values)}),
-            read_csv(folder.series())))
-    document.sections.emplace_back(std::move(chart));
+  append(document.sections,
+         draw(length_charts(), joined<LengthMoment>({length_observables(), compared_observables(values)}),
+              read_csv(folder.series())));
   const CsvTable histogram = read_csv(folder.file("histogram.csv"));
   if (histogram.rows() > 0) document.sections.emplace_back(histogram_section(histogram));
   return document;

@@ -74,7 +74,7 @@ void validate_conditions(const CalibrationCase& values, CaseChecker& checker) {
       checker.error("conditions.flows", fmt::format("there is no flow '{}'", flow),
                     "give shear, planar, uniaxial or biaxial");
   if (values.fibers.form == LengthForm::means && needs_bins(values.law))
-    checker.error("fibers.form", "phelps and durin follow distributions only",
+    checker.error("fibers.form", laws_of_bins() + " follow distributions only",
                   "take form = \"distribution\"");
 }
 

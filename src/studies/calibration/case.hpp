@@ -8,6 +8,7 @@
 
 #include "calibration/fit_problem.hpp"
 #include "keys/case_checker.hpp"
+#include "keys/key_rows.hpp"
 #include "keys/law_choice.hpp"
 #include "studies/flow_choices.hpp"
 #include "studies/length_choices.hpp"
@@ -39,7 +40,7 @@ enum class FitScope { together, separately };
 /// What was measured of one mean length at one place of a molded part.
 struct MoldedLengths {
   std::string condition, place;
-  MeasuredMean mean = MeasuredMean::number_average;
+  LengthMean mean = LengthMean::number_average;
   std::vector<double> samples;  ///< m
 };
 
@@ -89,9 +90,9 @@ struct CalibrationCase {
 };
 
 void describe_calibration(KeyTable& table, CalibrationCase& values);
-/// Adds the keys that are about molded parts: conditions.moldings and data.lengths.
-void describe_moldings(KeyTable& table, const std::string& key, CalibrationConditions& conditions);
-void describe_molded_lengths(KeyTable& table, const std::string& key, CalibrationData& data);
+/// The keys that are about molded parts: conditions.moldings and data.lengths.
+[[nodiscard]] KeyRow<CalibrationConditions> moldings_key();
+[[nodiscard]] KeyRow<CalibrationData> molded_lengths_key();
 /// Checks what belongs to calibration in molds only.
 void validate_moldings(const CalibrationCase& values, CaseChecker& checker);
 /// Adds to an estimate what its moldings need.

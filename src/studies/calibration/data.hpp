@@ -11,6 +11,11 @@ namespace fiberfate {
 /// The kinds of observation.
 enum class Observed { number_average, weight_average, final_length, rate_constant, histogram, orientation };
 
+/// A mean length that was observed.
+[[nodiscard]] constexpr Observed observed_mean(LengthMean mean) {
+  return mean == LengthMean::number_average ? Observed::number_average : Observed::weight_average;
+}
+
 /// One measured series of one condition.
 struct MeasuredSeries {
   std::string name;           ///< "50 rpm: L_W"

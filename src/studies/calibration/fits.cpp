@@ -1,25 +1,14 @@
 // The fits of a calibration and their rows in its tables.
 #include "studies/calibration/fits.hpp"
 
-#include <cctype>
+#include "results/summary.hpp"
 
 namespace fiberfate {
-namespace {
-
-/// Makes a name fit for a key: "50 rpm" becomes "50_rpm".
-std::string key_of(const std::string& name) {
-  std::string key;
-  for (const char letter : name) key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-  return key;
-}
-
-}  // namespace
-
 std::vector<FitName> fit_names(const CalibrationCase& values) {
   if (values.search.scope == FitScope::together) return {FitName{}};
   std::vector<FitName> names;
   for (const std::string& name : values.conditions.names)
-    names.push_back({static_cast<double>(names.size()), key_of(name) + "_", ", " + name});
+    names.push_back({static_cast<double>(names.size()), key_part(name) + "_", ", " + name});
   return names;
 }
 

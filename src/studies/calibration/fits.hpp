@@ -15,6 +15,13 @@ struct FitName {
   std::string prefix = {}, heading = {};
 };
 
+/// The tables in which a fit has rows.
+struct FitTables {
+  FitName name;
+  const CsvTable& fit;
+  const CsvTable& curves;
+};
+
 /// The fits that a case asks for.
 [[nodiscard]] std::vector<FitName> fit_names(const CalibrationCase& values);
 /// Picks the series that belong to a fit.

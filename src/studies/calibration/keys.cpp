@@ -24,11 +24,11 @@ KeyGroup<CalibrationConditions> condition_keys() {
       key("lengths", &Conditions::lengths, {"m", "mm"}, Range::positive(10),
           "Fiber lengths at the start, where they differ between conditions.", optional("[\"15 mm\"]")),
       key("compressions", &Conditions::compressions, {}, Range::between(0, 1),
-          "-2 D:A/rate, for phelps and durin; not given: 1, the worst direction."),
+          "-2 D:A/rate, for " + laws_of_bins() + "; not given: 1, the worst direction."),
       texts_key("flows", &Conditions::flows,
                 "For orientation: shear, planar, uniaxial or biaxial; not given: shear."),
       key("shear_gradient", &Conditions::shear_gradient, shear_gradient_choices(), shear_gradient_text),
-      {"moldings", describe_moldings},
+      moldings_key(),
       orientation_key("orientation", &Conditions::orientation, "A2 at the start, for orientation."),
   };
   return {"conditions", "The experiments. Lists have one entry for each of conditions.names, or one for all.",
@@ -57,7 +57,7 @@ KeyGroup<CalibrationData> data_keys() {
           "What was measured.",
           {
               {"series", describe_series},
-              {"lengths", describe_molded_lengths},
+              molded_lengths_key(),
               key("relative_uncertainty", &Data::relative_uncertainty, {}, Range::positive(10),
                   "Standard deviation of lengths and rate constants over their values, where the file has "
                   "none."),

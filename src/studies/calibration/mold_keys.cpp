@@ -20,45 +20,40 @@ constexpr double kept_bytes = 70, length_cost = 4e-8;  // bytes, s
 /// Of a fit with the profiles of its parameters.
 constexpr double predictions = 300;
 
-std::optional<Complaint> append_molding(const std::vector<TomlValue>& row, const std::string& folder,
-                                        std::vector<std::vector<std::string>>& moldings) {
+using TextRow = std::vector<std::string>;
+
+TextRow read_molding_row(const std::vector<TomlValue>& row, const std::filesystem::path& folder) {
   const RowTexts texts(row);
-  if (texts.count() == 0) return Complaint{"no case file", ""};
-  std::vector<std::string> words;
+  TextRow words;
   for (std::size_t i = 0; i < texts.count(); ++i) words.push_back(texts.text(i));
-  words[0] = std::filesystem::absolute(std::filesystem::path(folder) / words[0]).lexically_normal().string();
-  moldings.push_back(std::move(words));
-  return std::nullopt;
+  words[0] = std::filesystem::absolute(folder / words[0]).lexically_normal().string();
+  return words;
 }
 
-std::optional<Complaint> append_lengths(const std::vector<TomlValue>& row,
-                                        std::vector<MoldedLengths>& lengths) {
+TextRow write_molding_row(const TextRow& words, NumberStyle) {
+  TextRow items;
+  for (const std::string& word : words) items.push_back(write_text(word));
+  return items;
+}
+
+Reading<MoldedLengths> read_lengths(const std::vector<TomlValue>& row, const std::vector<MoldedLengths>&) {
   const RowTexts texts(row);
-  if (texts.count() < 4 || (texts.text(2) != "L_N" && texts.text(2) != "L_W"))
-    return Complaint{"not a condition, a place, L_N or L_W, and at least one length", ""};
-  MoldedLengths one = {texts.text(0),
-                       texts.text(1),
-                       texts.text(2) == "L_N" ? MeasuredMean::number_average : MeasuredMean::weight_average,
-                       {}};
+  const auto mean = texts.count() >= 4 ? length_mean_of(texts.text(2)) : std::nullopt;
+  if (!mean) return Complaint{"not a condition, a place, L_N or L_W, and at least one length", ""};
+  MoldedLengths one = {texts.text(0), texts.text(1), *mean, {}};
   for (std::size_t i = 3; i < row.size(); ++i) {
     const Reading<double> length = read_quantity(row[i], {"m", "mm"}, Range::positive(1));
     if (const auto* complaint = std::get_if<Complaint>(&length))
       return Complaint{fmt::format("\"{}\": {}", texts.text(i), complaint->what), complaint->remedy};
     one.samples.push_back(std::get<double>(length));
   }
-  lengths.push_back(std::move(one));
-  return std::nullopt;
+  return one;
 }
 
-std::vector<std::string> write_lengths(const std::vector<MoldedLengths>& lengths, NumberStyle style) {
-  std::vector<std::string> rows;
-  for (const MoldedLengths& one : lengths) {
-    std::vector<std::string> items = {write_text(one.condition), write_text(one.place),
-                                      write_text(one.mean == MeasuredMean::number_average ? "L_N" : "L_W")};
-    for (const double sample : one.samples) items.push_back(write_quantity(sample, {"m", "mm"}, style));
-    rows.push_back(write_list(items));
-  }
-  return rows;
+TextRow write_lengths(const MoldedLengths& one, NumberStyle style) {
+  TextRow items = {write_text(one.condition), write_text(one.place), write_text(symbol(one.mean))};
+  for (const double sample : one.samples) items.push_back(write_quantity(sample, {"m", "mm"}, style));
+  return items;
 }
 
 /// Checks what can be said without the moldings themselves.
@@ -136,41 +131,31 @@ void validate_molding_of(const CalibrationCase& values, std::size_t condition, C
 
 }  // namespace
 
-void describe_moldings(KeyTable& table, const std::string& key, CalibrationConditions& conditions) {
-  describe_text_rows(
-      table, key,
-      {.text =
-           "For lengths measured in molded parts: rows [case file of the study molding, change, ...] "
-           "instead of rates; changes are names of variants or \"key=value\". [law] stands for the case's "
-           "own law, conditions.lengths, where given, for its lengths at the gates.",
-       .example = R"([["plaque.toml", "machine.fill_time=1.5 s"]])",
-       .source = "thesis 4.2, 4.3"},
-      {[&conditions, folder = table.folder()](const std::vector<TomlValue>& row) {
-         return append_molding(row, folder, conditions.moldings);
-       },
-       [&conditions] { conditions.moldings.clear(); },
-       [&conditions](NumberStyle) {
-         std::vector<std::string> rows;
-         for (const std::vector<std::string>& row : conditions.moldings) {
-           std::vector<std::string> items;
-           for (const std::string& word : row) items.push_back(write_text(word));
-           rows.push_back(write_list(items));
-         }
-         return rows;
-       }});
+KeyRow<CalibrationConditions> moldings_key() {
+  const char* text =
+      "For lengths measured in molded parts: rows [case file of the study molding, change, ...] instead of "
+      "rates; changes are names of variants or \"key=value\". [law] stands for the case's own law, "
+      "conditions.lengths, where given, for its lengths at the gates.";
+  // Files are named from the folder of the case.
+  const auto add = [text](KeyTable& table, const std::string& name, CalibrationConditions& conditions) {
+    const auto read = [folder = table.folder()](const std::vector<TomlValue>& row,
+                                                const std::vector<TextRow>&) {
+      return read_molding_row(row, folder);
+    };
+    items_key("moldings", &CalibrationConditions::moldings, {read, write_molding_row}, text,
+              optional(R"([["plaque.toml", "machine.fill_time=1.5 s"]])"), "thesis 4.2, 4.3")
+        .add(table, name, conditions);
+  };
+  return {"moldings", add};
 }
 
-void describe_molded_lengths(KeyTable& table, const std::string& key, CalibrationData& data) {
-  describe_text_rows(
-      table, key,
-      {.text = "Mean lengths measured in molded parts, rows [condition, place, \"L_N\" or \"L_W\", length, "
-               "...] with the lengths of as many samples as there are; the place is one of output.places of "
-               "the molding.",
-       .example = R"([["plaque", "Loc.1", "L_N", "0.93 mm", "0.88 mm"]])",
-       .source = "thesis table 10, figure 4.5"},
-      {[&data](const std::vector<TomlValue>& row) { return append_lengths(row, data.lengths); },
-       [&data] { data.lengths.clear(); },
-       [&data](NumberStyle style) { return write_lengths(data.lengths, style); }});
+KeyRow<CalibrationData> molded_lengths_key() {
+  return items_key("lengths", &CalibrationData::lengths, {read_lengths, write_lengths},
+                   "Mean lengths measured in molded parts, rows [condition, place, \"L_N\" or \"L_W\", "
+                   "length, ...] with the lengths of as many samples as there are; the place is one of "
+                   "output.places of the molding.",
+                   optional(R"([["plaque", "Loc.1", "L_N", "0.93 mm", "0.88 mm"]])"),
+                   "thesis table 10, figure 4.5");
 }
 
 void validate_moldings(const CalibrationCase& values, CaseChecker& checker) {

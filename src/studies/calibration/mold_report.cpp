@@ -7,8 +7,6 @@
 #include <array>
 #include <numeric>
 
-#include "studies/calibration/fits.hpp"
-
 namespace fiberfate {
 namespace {
 
@@ -26,28 +24,28 @@ void append(std::vector<double>& all, const std::vector<double>& some) {
 }
 
 LinesSection lengths_section(const CalibrationCase& values, const std::vector<MeasuredSeries>& measured,
-                             const MoldedFit& rows, std::size_t condition) {
+                             const FitTables& rows, std::size_t condition) {
   const std::string& name = values.conditions.names[condition];
-  LinesSection section{fmt::format("lengths_{}{}", rows.prefix, condition),
+  LinesSection section{fmt::format("lengths_{}{}", rows.name.prefix, condition),
                        "Measured and fitted lengths, " + name,
                        {"place"},
                        {"length", "m"},
                        {},
                        {}};
   const std::vector<std::string> places = places_of(measured, condition);
-  for (const Observed observed : {Observed::number_average, Observed::weight_average}) {
-    const std::string label = observed == Observed::number_average ? "L_N" : "L_W";
+  for (const LengthMean mean : length_means) {
+    const std::string label = symbol(mean);
     ReportSeries predicted{label + ", fitted", {}}, samples{label + ", measured", {}, CurveStyle::points};
     for (std::size_t s = 0; s < measured.size(); ++s) {
-      if (measured[s].condition != condition || measured[s].observed != observed) continue;
+      if (measured[s].condition != condition || measured[s].observed != observed_mean(mean)) continue;
       const auto number = static_cast<double>(s);
       const auto place = std::find(places.begin(), places.end(), measured[s].place);
       const auto x = static_cast<double>(1 + (place - places.begin()));
       predicted.x.push_back(x);
-      append(predicted.values, pick(rows.curves, rows.number, number, "predicted"));
-      append(predicted.low, pick(rows.curves, rows.number, number, "observation_low"));
-      append(predicted.high, pick(rows.curves, rows.number, number, "observation_high"));
-      append(samples.values, pick(rows.fit, rows.number, number, "observed"));
+      append(predicted.values, pick(rows.curves, rows.name.number, number, "predicted"));
+      append(predicted.low, pick(rows.curves, rows.name.number, number, "observation_low"));
+      append(predicted.high, pick(rows.curves, rows.name.number, number, "observation_high"));
+      append(samples.values, pick(rows.fit, rows.name.number, number, "observed"));
       samples.x.resize(samples.values.size(), x);
     }
     if (predicted.values.empty()) continue;
@@ -67,7 +65,7 @@ const char* coupling_name(double coupled) {
 
 std::vector<LinesSection> molded_lengths_sections(const CalibrationCase& values,
                                                   const std::vector<MeasuredSeries>& measured,
-                                                  const MoldedFit& rows) {
+                                                  const FitTables& rows) {
   std::vector<LinesSection> sections;
   for (std::size_t i = 0; i < values.conditions.names.size(); ++i)
     if (!places_of(measured, i).empty()) sections.push_back(lengths_section(values, measured, rows, i));

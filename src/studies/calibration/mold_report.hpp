@@ -6,22 +6,14 @@
 
 #include "io/csv_table.hpp"
 #include "results/report_document.hpp"
-#include "studies/calibration/data.hpp"
+#include "studies/calibration/fits.hpp"
 
 namespace fiberfate {
-
-/// The rows of one fit in the tables, and where its sections belong.
-struct MoldedFit {
-  double number = 0;  ///< in the column `fit`
-  std::string prefix;
-  const CsvTable& fit;
-  const CsvTable& curves;
-};
 
 /// Draws measured and predicted lengths along the places, one picture a molding (thesis figures 4.2, 4.5).
 [[nodiscard]] std::vector<LinesSection> molded_lengths_sections(const CalibrationCase& values,
                                                                 const std::vector<MeasuredSeries>& measured,
-                                                                const MoldedFit& rows);
+                                                                const FitTables& rows);
 
 /// Lists the optimum of every molding.
 [[nodiscard]] TableSection optimum_table(const CalibrationCase& values, const CsvTable& optimum);

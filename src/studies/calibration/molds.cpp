@@ -33,7 +33,7 @@ std::size_t place_of(const MoldExperiment& experiment, const std::string& name) 
 /// One measured series, as its condition predicts it.
 struct Link {
   std::size_t condition = 0, place = 0, samples = 0;
-  Observed observed = Observed::number_average;
+  LengthMean mean = LengthMean::number_average;
 };
 
 /// Predicts all series by the moldings of their conditions.
@@ -63,8 +63,9 @@ MoldPredictor::MoldPredictor(const CalibrationCase& values, const std::vector<Me
     if (!experiments_.contains(one.condition))
       experiments_.emplace(one.condition, MoldExperiment(molding_of(values, one.condition), values.law.name));
   for (const MeasuredSeries& one : series)
-    links_.push_back({one.condition, place_of(experiments_.at(one.condition), one.place), one.values.size(),
-                      one.observed});
+    links_.push_back(
+        {one.condition, place_of(experiments_.at(one.condition), one.place), one.values.size(),
+         one.observed == Observed::number_average ? LengthMean::number_average : LengthMean::weight_average});
   const CalibrationSweep& sweep = values.sweep;
   if (sweep.parameter.empty() || !sweep.lower || !sweep.upper) return;
   const std::vector<LawParameter>& parameters = chosen_law(attrition_menu(), values.law)->parameters;
@@ -82,9 +83,7 @@ std::vector<double> MoldPredictor::lengths(std::size_t condition, std::span<cons
   const std::vector<MeanLengths> means = experiments_.at(condition).predict(parameters);
   std::vector<double> lengths;
   for (const Link& link : links_)
-    if (link.condition == condition)
-      lengths.push_back(link.observed == Observed::number_average ? means[link.place].number_average
-                                                                  : means[link.place].weight_average);
+    if (link.condition == condition) lengths.push_back(means[link.place].at(link.mean));
   return lengths;
 }
 
@@ -155,8 +154,7 @@ double inlet_length(const CalibrationCase& values, std::size_t condition) {
   const MoldingCase molding = molding_of(values, condition);
   const bool weight =
       std::none_of(values.data.lengths.begin(), values.data.lengths.end(), [&](const MoldedLengths& one) {
-        return one.condition == values.conditions.names[condition] &&
-               one.mean == MeasuredMean::number_average;
+        return one.condition == values.conditions.names[condition] && one.mean == LengthMean::number_average;
       });
   if (molding.fibers.length) return *molding.fibers.length;
   MeanLengths means;
@@ -176,12 +174,11 @@ std::vector<MeasuredSeries> molded_series(const CalibrationCase& values) {
     if (condition == names.end())
       throw InputError(fmt::format("there is no condition '{}'", row.condition),
                        fmt::format("conditions.names are {}", fmt::join(names, ", ")));
-    const bool number = row.mean == MeasuredMean::number_average;
     MeasuredSeries series;
-    series.name = fmt::format("{}: {} at {}", row.condition, number ? "L_N" : "L_W", row.place);
+    series.name = fmt::format("{}: {} at {}", row.condition, symbol(row.mean), row.place);
     series.unit = std::string("m");  // gcc 12 warns falsely of a literal assigned here
     series.condition = condition - names.begin();
-    series.observed = number ? Observed::number_average : Observed::weight_average;
+    series.observed = observed_mean(row.mean);
     series.place = row.place;
     series.values = row.samples;
     series.times.assign(row.samples.size(), 0.0);

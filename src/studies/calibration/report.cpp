@@ -62,7 +62,7 @@ TableSection estimates(const CalibrationCase& values, const SummaryFile& summary
 
 FactsSection quality(const SummaryFile& summary, const FitName& name) {
   const auto key = [&](const char* text) { return name.prefix + text; };
-  FactsSection section{"quality" + name.prefix, "How well" + name.heading, {}};
+  FactsSection section{"quality" + name.prefix, "Quality of the fit" + name.heading, {}};
   section.rows = {
       {"Observations", summary.count(key("observations"))},
       {"Degrees of freedom", summary.count(key("degrees_of_freedom"))},
@@ -71,21 +71,21 @@ FactsSection quality(const SummaryFile& summary, const FitName& name) {
       {"Average error", summary.number(key("average_error_percent")), "%", "thesis 4.8"},
       {"Converged", summary.text(key("converged"))}};
   for (int i = 1; !summary.text(key("finding_") + std::to_string(i)).empty(); ++i)
-    section.rows.push_back(
-        {fmt::format("To know, {}", i), summary.text(key("finding_") + std::to_string(i))});
+    section.rows.push_back({fmt::format("Finding {}", i), summary.text(key("finding_") + std::to_string(i))});
   return section;
 }
 
 /// Draws what was measured with the fitted curve and its band; series of one quantity share a picture.
-void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& name, double level,
-                   const CsvTable& fit, const CsvTable& curves, std::vector<ReportSection>& sections) {
-  std::vector<std::pair<std::string, LinesSection>> pictures;
+std::vector<LinesSection> curves_sections(const std::vector<MeasuredSeries>& measured, const FitTables& rows,
+                                          double level) {
+  const auto& [name, fit, curves] = rows;
+  std::vector<LinesSection> pictures;
   for (std::size_t s = 0; s < measured.size(); ++s) {
     const MeasuredSeries& one = measured[s];
     if (one.values.size() < 2 || one.observed == Observed::histogram) continue;
     const std::string quantity = one.observed == Observed::orientation ? "component of A_2" : "length";
     auto picture =
-        std::find_if(pictures.begin(), pictures.end(), [&](const auto& p) { return p.first == quantity; });
+        std::ranges::find_if(pictures, [&](const LinesSection& p) { return p.y.label == quantity; });
     if (picture == pictures.end()) {
       LinesSection section{"curves_" + std::to_string(pictures.size()) + name.prefix,
                            "Measured and fitted" + name.heading,
@@ -96,7 +96,7 @@ void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& n
                            fmt::format("Bands: where another measurement would lie, with {:g} %; that of the "
                                        "curve itself is in curves.csv.",
                                        100 * level)};
-      picture = pictures.insert(pictures.end(), {quantity, section});
+      picture = pictures.insert(pictures.end(), std::move(section));
     }
     const auto number = static_cast<double>(s);
     ReportSeries curve{one.name, pick(curves, name.number, number, "predicted")};
@@ -106,10 +106,10 @@ void append_curves(const std::vector<MeasuredSeries>& measured, const FitName& n
     ReportSeries points{one.name + ", measured", pick(fit, name.number, number, "observed"),
                         CurveStyle::points};
     points.x = pick(fit, name.number, number, "time_s");
-    picture->second.series.push_back(std::move(curve));
-    picture->second.series.push_back(std::move(points));
+    picture->series.push_back(std::move(curve));
+    picture->series.push_back(std::move(points));
   }
-  for (auto& [quantity, section] : pictures) sections.emplace_back(std::move(section));
+  return pictures;
 }
 
 /// Draws the error over the swept parameter, one curve a fit.
@@ -178,10 +178,8 @@ void append_profiles(const CalibrationCase& values, const ResultFolder& folder, 
 }  // namespace
 
 ReportDocument report_calibration(const CalibrationCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Calibration of " + calibrated_law(values).name;
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"Calibration of " + calibrated_law(values).name};
   document.sections.emplace_back(asked(values));
   const CsvTable fit = read_csv(folder.file("fit.csv"));
   const CsvTable curves = read_csv(folder.file("curves.csv"));
@@ -193,13 +191,10 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
     if (measured.empty()) continue;
     document.sections.emplace_back(estimates(values, summary, name));
     document.sections.emplace_back(quality(summary, name));
-    if (calibrates_in_molds(values)) {
-      for (LinesSection& one :
-           molded_lengths_sections(values, measured, {name.number, name.prefix, fit, curves}))
-        document.sections.emplace_back(std::move(one));
-    } else {
-      append_curves(measured, name, values.search.level, fit, curves, document.sections);
-    }
+    const FitTables rows = {name, fit, curves};
+    append(document.sections, calibrates_in_molds(values)
+                                  ? molded_lengths_sections(values, measured, rows)
+                                  : curves_sections(measured, rows, values.search.level));
     append_profiles(values, folder, name, document.sections);
   }
   return document;

@@ -87,26 +87,25 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
 
 FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", outcome_facts(summary)};
-  section.rows.insert(
-      section.rows.end(),
-      {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
-       {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
-       {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
-       {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
-       {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
-       {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
-        "theory of Toll for straight fibers"},
-       {"Left",
-        summary.text("packing_end") == "at_rest" ? "at rest under the contact law" : "as it was parted"},
-       {"Largest overlap at rest under the contact law", summary.number("max_overlap_at_rest_diameters"),
-        "diameters"},
-       {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
-       {"Packing steps", summary.count("packing_steps")}});
+  append<Fact, Fact>(
+      section.rows, {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
+                     {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
+                     {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
+                     {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
+                     {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
+                     {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
+                      "theory of Toll for straight fibers"},
+                     {"Left", summary.text("packing_end") == "at_rest" ? "at rest under the contact law"
+                                                                       : "as it was parted"},
+                     {"Largest overlap at rest under the contact law",
+                      summary.number("max_overlap_at_rest_diameters"), "diameters"},
+                     {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
+                     {"Packing steps", summary.count("packing_steps")}});
   if (!summary.text("relaxation_end").empty())
-    section.rows.insert(section.rows.end(),
-                        {{"Relaxation ended", summary.text("relaxation_end")},
-                         {"Relaxed for", summary.number("relaxation_s"), "s"},
-                         {"Orientation changed meanwhile", summary.number("relaxation_orientation_drift")}});
+    append<Fact, Fact>(section.rows,
+                       {{"Relaxation ended", summary.text("relaxation_end")},
+                        {"Relaxed for", summary.number("relaxation_s"), "s"},
+                        {"Orientation changed meanwhile", summary.number("relaxation_orientation_drift")}});
   return section;
 }
 
@@ -151,10 +150,8 @@ LinesSection pair_section(const SummaryFile& summary) {
 }  // namespace
 
 ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "A packing of fibers";
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"A packing of fibers"};
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(comparison(values, summary));
   document.sections.emplace_back(came_out(summary));
@@ -165,8 +162,7 @@ ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& fol
   if (!summary.numbers("length_edges_m").empty()) document.sections.emplace_back(lengths(summary));
   document.sections.emplace_back(curvature_section(frames, {0.0}));
   document.sections.emplace_back(fibers_section(frames, ""));
-  for (LinesSection& section : projection_sections(frames))
-    document.sections.emplace_back(std::move(section));
+  append(document.sections, projection_sections(frames));
   document.sections.emplace_back(effort_section(summary));
   return document;
 }

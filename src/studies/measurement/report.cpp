@@ -19,7 +19,7 @@ std::string file_name(const std::string& path) {
 }
 
 FactsSection asked(const MeasurementCase& values) {
-  FactsSection section{"asked", "What was measured", {}};
+  FactsSection section{"asked", "Inputs", {}};
   if (!values.lengths.file.empty()) {
     section.rows.push_back({"Lengths", file_name(values.lengths.file)});
     if (values.lengths.sample_diameter)
@@ -105,10 +105,8 @@ HeatmapSection pole_figure(const ResultFolder& folder) {
 }  // namespace
 
 ReportDocument report_measurement(const MeasurementCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Measured fibers";
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"Measured fibers"};
   document.sections.emplace_back(asked(values));
   if (!values.lengths.file.empty()) {
     document.sections.emplace_back(lengths_table(summary));

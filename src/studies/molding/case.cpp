@@ -81,7 +81,7 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
     checker.error("fibers.number_average", "more than " + checker.cite("fibers.weight_average"),
                   "L_N is never more than L_W");
   if (means && (needs_bins(values.law) || needs_bins(values.compared)))
-    checker.error("fibers.number_average", "phelps and durin follow distributions only",
+    checker.error("fibers.number_average", laws_of_bins() + " follow distributions only",
                   "give fibers.distribution");
   if (values.law.name.empty() && !values.compared.name.empty())
     checker.error("compare.name", "there is no first law", "choose one in [law]");

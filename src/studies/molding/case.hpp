@@ -11,6 +11,7 @@
 #include "keys/case_checker.hpp"
 #include "keys/law_choice.hpp"
 #include "keys/text_rows.hpp"
+#include "microstructure/mean_lengths.hpp"
 #include "molding/filling_params.hpp"
 #include "studies/molding/part.hpp"
 #include "studies/run_choices.hpp"
@@ -99,15 +100,10 @@ struct CompositeChoices {
   double matrix_expansion = 1.1e-4;  ///< 1/K
 };
 
-/// What was measured.
-enum class MeasuredMean { number_average, weight_average };
-/// "L_N" or "L_W".
-[[nodiscard]] const char* symbol(MeasuredMean mean);
-
 /// One measured mean length.
 struct MeasuredLength {
   std::string place;
-  MeasuredMean mean = MeasuredMean::number_average;
+  LengthMean mean = LengthMean::number_average;
   double length = 0;  ///< m
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "keys/law_choice.hpp"
+#include "studies/length_choices.hpp"
 #include "studies/molding/case.hpp"
 
 namespace fiberfate {
@@ -27,7 +28,7 @@ KeyRows<MoldingFiberChoices> length_keys() {
           "L_N at the gates, followed by itself beside L_W.", {}, "thesis 4.3"),
       key("weight_average", &Fibers::weight_average, units, range, "L_W at the gates.", {}, "thesis 4.3"),
       key("weight", &Fibers::weight, weights,
-          "What a class keeps while it becomes shorter; not for phelps and durin."),
+          "What a class keeps while it becomes shorter; not for " + laws_of_bins() + "."),
       key("diameter", &Fibers::diameter, {"m", "um"}, Range::positive(1e-3), "Diameter."),
       key("volume_fraction", &Fibers::volume_fraction, {}, Range::inside(0, 1),
           "Share of the volume that is fiber.", required("0.13")),
@@ -99,13 +100,11 @@ KeyGroup<CompositeChoices> composite_keys() {
 
 Reading<MeasuredLength> read_measured(const std::vector<TomlValue>& row, const std::vector<MeasuredLength>&) {
   const RowTexts texts(row);
-  if (texts.count() != 3 || (texts.text(1) != "L_N" && texts.text(1) != "L_W"))
-    return Complaint{"not a place, L_N or L_W, and a length", ""};
+  const auto mean = texts.count() == 3 ? length_mean_of(texts.text(1)) : std::nullopt;
+  if (!mean) return Complaint{"not a place, L_N or L_W, and a length", ""};
   const Reading<double> length = read_quantity(row[2], {"m", "mm"}, Range::positive(1));
   if (const auto* complaint = std::get_if<Complaint>(&length)) return *complaint;
-  return MeasuredLength{texts.text(0),
-                        texts.text(1) == "L_N" ? MeasuredMean::number_average : MeasuredMean::weight_average,
-                        std::get<double>(length)};
+  return MeasuredLength{texts.text(0), *mean, std::get<double>(length)};
 }
 
 std::vector<std::string> write_measured(const MeasuredLength& one, NumberStyle style) {
@@ -195,10 +194,6 @@ KeyGroup<MoldingOutput> output_keys() {
 }
 
 }  // namespace
-
-const char* symbol(MeasuredMean mean) {
-  return mean == MeasuredMean::number_average ? "L_N" : "L_W";
-}
 
 void describe_molding(KeyTable& table, MoldingCase& values) {
   const LawTable melt = {"melt", "Viscosity (docs/theory/viscosity.md).", "\"cross_wlf\"", Need::required};

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -19,13 +18,6 @@ namespace {
 
 constexpr std::size_t histogram_bins = 30;
 using Samples = std::vector<std::vector<Index>>;  ///< nodes of the sample at every place
-
-/// Makes a name that can be part of a key: "Loc. 1" becomes "Loc__1".
-std::string key_of(const std::string& name) {
-  std::string key;
-  for (const char letter : name) key += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
-  return key;
-}
 
 /// Averages a value by node over a sample, by volume.
 double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
@@ -113,7 +105,7 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields, const std::v
   const std::vector<NamedPlace>& places = fields.values().output.places;
   std::vector<SweptLength> lengths;
   for (std::size_t place = 0; place < places.size(); ++place)
-    for (const MeasuredMean mean : {MeasuredMean::number_average, MeasuredMean::weight_average}) {
+    for (const LengthMean mean : length_means) {
       SweptLength one;
       for (const MeasuredLength& measured : fields.values().sweep.measured)
         if (measured.place == places[place].name && measured.mean == mean)
@@ -121,8 +113,7 @@ std::vector<SweptLength> swept_lengths(const MoldingFields& fields, const std::v
       if (one.measured.empty()) continue;
       for (const PlaceSample& sample : samples)
         if (sample.place == place && std::isfinite(sample.value))
-          one.predicted.push_back(mean == MeasuredMean::number_average ? sample.means.number_average
-                                                                       : sample.means.weight_average);
+          one.predicted.push_back(sample.means.at(mean));
       lengths.push_back(std::move(one));
     }
   return lengths;
@@ -152,7 +143,7 @@ void add_places(const MoldingFields& fields, const std::vector<PlaceSample>& sam
     const bool first = sample.set == 0;
     if (!first && static_cast<int>(sample.set) != fields.setup().compared_set) continue;
     const std::string prefix =
-        key_of(fields.values().output.places[sample.place].name) + (first ? "_" : "_compared_");
+        key_part(fields.values().output.places[sample.place].name) + (first ? "_" : "_compared_");
     RunSummary of_place;
     summarise(place_observables(), sample, of_place);
     for (const auto& [key, value] : of_place.own)
@@ -167,13 +158,13 @@ void add_events(const Filling& filling, RunSummary& summary) {
   std::map<std::string, int> counts;
   for (const FillingEvent& event : filling.state().events) {
     std::string key = name(event.kind);
-    if (event.gate >= 0) key = key_of(params.gates[event.gate].name) + '_' + key;
+    if (event.gate >= 0) key = key_part(params.gates[event.gate].name) + '_' + key;
     const int count = ++counts[key];
     if (count > 1) key += fmt::format("_{}", count);
     summary.own.emplace_back(key + "_s", event.time);
   }
   for (std::size_t i = 0; i < params.sensors.size(); ++i)
-    summary.own.emplace_back(key_of(params.sensors[i].name) + "_arrival_s",
+    summary.own.emplace_back(key_part(params.sensors[i].name) + "_arrival_s",
                              filling.state().sensor_arrivals[i]);
 }
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "io/csv_table.hpp"
 #include "results/result_folder.hpp"
@@ -21,9 +22,6 @@ constexpr const char* part_names[] = {"from a file", "plaque", "disc", "frame", 
 
 FactsSection asked(const MoldingCase& values) {
   FactsSection section{"asked", "Inputs", {}};
-  const auto append = [&section](const std::vector<Fact>& facts) {
-    section.rows.insert(section.rows.end(), facts.begin(), facts.end());
-  };
   section.rows = {
       {"Part", std::string(part_names[static_cast<std::size_t>(values.part.kind)])},
       values.part.thickness ? Fact{"Thickness", *values.part.thickness, "m"}
@@ -34,10 +32,10 @@ FactsSection asked(const MoldingCase& values) {
       {"Coupling",
        std::string(values.fibers.coupling == CouplingChoice::none ? "none" : "informed isotropic")}};
   if (values.fibers.length) section.rows.push_back({"Length at the gates", *values.fibers.length, "m"});
-  append(law_facts(viscosity_menu(), "Viscosity", values.melt));
-  append(law_facts(orientation_menu(), "Orientation", values.orientation));
-  append(law_facts(attrition_menu(), "Length", values.law));
-  append(law_facts(attrition_menu(), "Compared with", values.compared));
+  append(section.rows, law_facts(viscosity_menu(), "Viscosity", values.melt));
+  append(section.rows, law_facts(orientation_menu(), "Orientation", values.orientation));
+  append(section.rows, law_facts(attrition_menu(), "Length", values.law));
+  append(section.rows, law_facts(attrition_menu(), "Compared with", values.compared));
   return section;
 }
 
@@ -89,42 +87,34 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
   }
 }
 
-void add_tables(const MoldingCase& values, const ResultFolder& folder, std::vector<ReportSection>& sections) {
+void add_tables(const MoldingCase& values, const ResultFolder& folder, const SummaryFile& summary,
+                std::vector<ReportSection>& sections) {
   const auto table = [&folder](const char* name) -> std::optional<CsvTable> {
-    // The summary is written last: without it, tables may lack.
-    if (!std::filesystem::exists(folder.summary()) || !std::filesystem::exists(folder.file(name)))
-      return std::nullopt;
+    if (!std::filesystem::exists(folder.file(name))) return std::nullopt;
     return read_csv(folder.file(name));
   };
   if (const auto places = table("places.csv")) sections.emplace_back(places_section(values, *places));
-  if (const auto profiles = table("profiles.csv"))
-    for (LinesSection& section : profile_sections(values, *profiles))
-      sections.emplace_back(std::move(section));
+  if (const auto profiles = table("profiles.csv")) append(sections, profile_sections(values, *profiles));
   if (const auto histogram = table("histogram.csv"))
     sections.emplace_back(molding_histogram(values, *histogram));
   if (const auto sweep = table("sweep.csv")) {
     sections.emplace_back(sweep_section(values, *sweep));
-    sections.emplace_back(measured_section(values, *table("places.csv"), SummaryFile(folder.summary())));
+    sections.emplace_back(measured_section(values, *table("places.csv"), summary));
   }
 }
 
 }  // namespace
 
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Mold filling";
-  document.stop_reason = "unfinished";
+  ReportDocument document{"Mold filling"};
   document.sections.emplace_back(asked(values));
-  const bool finished = std::filesystem::exists(folder.summary());
-  if (finished) {
-    const SummaryFile summary(folder.summary());
-    document.stop_reason = summary.text("stop_reason");
-    document.sections.emplace_back(came_out(summary));
-  }
+  const std::optional<SummaryFile> summary = read_summary(folder.summary());
+  if (summary) document.sections.emplace_back(came_out(*summary));
   document.sections.emplace_back(part_section(values, folder));
   add_charts(values, read_csv(folder.series()), document.sections);
-  add_tables(values, folder, document.sections);
-  if (finished) document.sections.emplace_back(effort(SummaryFile(folder.summary())));
+  // The summary is written last: without it, tables may lack.
+  if (summary) add_tables(values, folder, *summary, document.sections);
+  if (summary) document.sections.emplace_back(effort(*summary));
   return document;
 }
 

@@ -19,11 +19,17 @@
 namespace fiberfate {
 namespace {
 
+/// What a run begins with, or goes on from.
+struct Beginning {
+  MoldingSetup setup;
+  Filling filling;
+  MoldingRecord record = {};
+};
+
 /// One filling from its start or its last checkpoint to the next stop.
 class MoldingRun {
  public:
-  MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
-             const MoldingRecord& before);
+  MoldingRun(const MoldingCase& values, Session& session, Beginning from);
   [[nodiscard]] Outcome run();
 
  private:
@@ -52,18 +58,17 @@ class MoldingRun {
   double last_checkpoint_ = wall_seconds();
 };
 
-MoldingRun::MoldingRun(const MoldingCase& values, Session& session, MoldingSetup setup, Filling filling,
-                       const MoldingRecord& before)
+MoldingRun::MoldingRun(const MoldingCase& values, Session& session, Beginning from)
     : values_(values),
       session_(session),
-      setup_(std::move(setup)),
-      filling_(std::move(filling)),
+      setup_(std::move(from.setup)),
+      filling_(std::move(from.filling)),
       fields_(values_, setup_, filling_),
-      before_(before),
+      before_(from.record),
       observables_(filling_observables(setup_.params.gates)),
-      series_(session.recorder().open_rows("series", columns_of(observables_), before.series_rows)),
-      frames_(session.recorder().open_frames("result", before.frames)),
-      greatest_pressure_(before.greatest_pressure) {}
+      series_(session.recorder().open_rows("series", columns_of(observables_), before_.series_rows)),
+      frames_(session.recorder().open_frames("result", before_.frames)),
+      greatest_pressure_(before_.greatest_pressure) {}
 
 Outcome MoldingRun::run() {
   const std::int64_t first_step = filling_.state().steps;
@@ -170,7 +175,7 @@ Outcome begin_filling(const MoldingCase& values, Session& session) {
   session.recorder().note(fmt::format("{} nodes, {} triangles, {:.4g} cm^3, {} threads",
                                       filling.mesh().node_count(), filling.mesh().triangle_count(),
                                       1e6 * filling.mesh().total_volume(), thread_count()));
-  return MoldingRun(values, session, std::move(setup), std::move(filling), {}).run();
+  return MoldingRun(values, session, {std::move(setup), std::move(filling)}).run();
 }
 
 Outcome continue_filling(const MoldingCase& values, Session& session) {
@@ -180,7 +185,7 @@ Outcome continue_filling(const MoldingCase& values, Session& session) {
   Filling filling = filling_from(std::move(from), setup.params);
   if (filling.finished()) session.recorder().warn("the filling is at its end already");
   session.recorder().note(fmt::format("continuing at {:.9g} s", filling.state().time));
-  return MoldingRun(values, session, std::move(setup), std::move(filling), before).run();
+  return MoldingRun(values, session, {std::move(setup), std::move(filling), before}).run();
 }
 
 }  // namespace

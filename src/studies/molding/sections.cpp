@@ -105,7 +105,7 @@ LinesSection measured_section(const MoldingCase& values, const CsvTable& places,
       nearest = i;
   const double set = places.column("set")[nearest];
   LinesSection section{"measured", "Measured and predicted lengths", {"place"}, {"length", "m"}, {}, {}};
-  for (const MeasuredMean mean : {MeasuredMean::number_average, MeasuredMean::weight_average}) {
+  for (const LengthMean mean : length_means) {
     const std::string label = symbol(mean);
     ReportSeries measured{label + ", measured", {}, CurveStyle::points};
     ReportSeries predicted{label + ", predicted", picked(places, {{"set", set}}, label + "_m")};

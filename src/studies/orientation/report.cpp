@@ -9,10 +9,8 @@ namespace {
 
 FactsSection asked(const OrientationCase& values) {
   FactsSection section{"asked", "Inputs", law_facts(diffusion_menu(), "Rotary diffusion", values.diffusion)};
-  const std::vector<Fact> retardation = law_facts(retardation_menu(), "Retardation", values.retardation);
-  section.rows.insert(section.rows.end(), retardation.begin(), retardation.end());
-  const std::vector<Fact> melt = law_facts(viscosity_menu(), "Viscosity of the melt", values.melt);
-  section.rows.insert(section.rows.end(), melt.begin(), melt.end());
+  append(section.rows, law_facts(retardation_menu(), "Retardation", values.retardation));
+  append(section.rows, law_facts(viscosity_menu(), "Viscosity of the melt", values.melt));
   section.rows.push_back({"Closure", values.solution.closure});
   section.rows.push_back({"Shape factor", orientation_model(values).constants.xi});
   section.rows.push_back(
@@ -56,15 +54,12 @@ FactsSection came_out(const OrientationCase& values, const SummaryFile& summary)
 }  // namespace
 
 ReportDocument report_orientation(const OrientationCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Fiber orientation";
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"Fiber orientation"};
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(came_out(values, summary));
-  for (LinesSection& chart :
-       draw(orientation_charts(), orientation_observables(values), read_csv(folder.series())))
-    document.sections.emplace_back(std::move(chart));
+  append(document.sections,
+         draw(orientation_charts(), orientation_observables(values), read_csv(folder.series())));
   return document;
 }
 

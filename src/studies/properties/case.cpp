@@ -12,6 +12,7 @@
 #include "keys/law_choice.hpp"
 #include "microstructure/closure.hpp"
 #include "packing/population.hpp"
+#include "studies/length_choices.hpp"
 #include "studies/pace.hpp"
 
 namespace fiberfate {
@@ -78,18 +79,14 @@ void validate_fraction(const CompositeFiberChoices& fibers, CaseChecker& checker
 
 constexpr int angle_steps = 72;
 
-/// Young's modulus along n, 1/(nn : S : nn).
-double modulus_along(const Mat6& compliance, const Vec3& n) {
-  return 1 / double_dot(n * n.transpose(), contracted(compliance, n * n.transpose()));
-}
-
 CsvTable modulus_table(const Mat6& stiffness) {
   const Mat6 compliance = inverse(stiffness);
   CsvTable table{{"angle_deg", "modulus_12_Pa", "modulus_13_Pa"}};
   for (int k = 0; k <= angle_steps; ++k) {
     const double angle = pi * k / angle_steps;
-    table.append({180.0 * k / angle_steps, modulus_along(compliance, {std::cos(angle), std::sin(angle), 0}),
-                  modulus_along(compliance, {std::cos(angle), 0, std::sin(angle)})});
+    table.append({180.0 * k / angle_steps,
+                  youngs_modulus_along(compliance, {std::cos(angle), std::sin(angle), 0}),
+                  youngs_modulus_along(compliance, {std::cos(angle), 0, std::sin(angle)})});
   }
   return table;
 }
@@ -102,14 +99,6 @@ bool is_real(const CsvTable& modulus) {
   return true;
 }
 
-/// Whether every number that follows from a stiffness is finite: its compliance is, too.
-bool is_invertible(const ThermoelasticProperties& properties) {
-  const Mat6 compliance = inverse(properties.stiffness);
-  return properties.stiffness.allFinite() && properties.thermal_stress.allFinite() &&
-         compliance.allFinite() && (compliance.diagonal().array() != 0).all() &&
-         thermal_expansion(properties).allFinite();
-}
-
 void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker) {
   const int given =
       (fibers.aspect_ratio ? 1 : 0) + (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1);
@@ -120,9 +109,7 @@ void validate_lengths(const CompositeFiberChoices& fibers, CaseChecker& checker)
         "fibers.aspect_ratio",
         given == 0 ? "not given, nor is length or distribution" : "lengths are given in more than one way",
         "give one of aspect_ratio, length and distribution");
-  if (!fibers.distribution.empty() && std::all_of(fibers.distribution.begin(), fibers.distribution.end(),
-                                                  [](const auto& row) { return row[1] == 0; }))
-    checker.error("fibers.distribution", "there are no fibers", "give at least one number above zero");
+  validate_distribution(fibers.distribution, checker);
   if (fibers.aspect_ratio)
     checker.warn_unused({"fibers.diameter"}, "a case with fibers.length or fibers.distribution");
 }
@@ -178,7 +165,7 @@ PredictedProperties predict(const PropertiesCase& values) {
   predicted.aligned = length_average(predicted.material, aspect_ratios(values.fibers), values.solution.model);
   predicted.part =
       orientation_average(predicted.aligned, close(second, closure_named(values.solution.closure)), second);
-  if (!is_invertible(predicted.aligned) || !is_invertible(predicted.part))
+  if (!is_finite(predicted.aligned) || !is_finite(predicted.part))
     throw InputError("the model gives no finite stiffness or compliance",
                      "check the moduli (in Pa), Poisson's ratios and lengths");
   predicted.modulus = modulus_table(predicted.part.stiffness);

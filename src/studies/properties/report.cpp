@@ -63,10 +63,8 @@ LinesSection modulus_section(const ResultFolder& folder) {
 }  // namespace
 
 ReportDocument report_properties(const PropertiesCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Properties of the part";
   const SummaryFile summary(folder.summary());
-  document.stop_reason = summary.text("stop_reason");
+  ReportDocument document{"Properties of the part"};
   document.sections.emplace_back(asked(values));
   document.sections.emplace_back(constants_table(summary));
   document.sections.emplace_back(modulus_section(folder));

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <optional>
 
 #include "base/law_choice.hpp"
 #include "dynamics/breakage_laws/breakage_registry.hpp"
@@ -93,19 +93,12 @@ std::vector<double> histogram_times(const ShearCellCase& values, const VtkhdfRea
 }  // namespace
 
 ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder& folder) {
-  ReportDocument document;
-  document.title = "Fibers in a sheared cell";
-  document.stop_reason = "unfinished";
+  ReportDocument document{"Fibers in a sheared cell"};
   document.sections.emplace_back(asked(values));
-  const bool finished = std::filesystem::exists(folder.summary());
-  if (finished) {
-    const SummaryFile summary(folder.summary());
-    document.stop_reason = summary.text("stop_reason");
-    document.sections.emplace_back(came_out(summary));
-  }
+  const std::optional<SummaryFile> summary = read_summary(folder.summary());
+  if (summary) document.sections.emplace_back(came_out(*summary));
   const CsvTable series = read_csv(folder.series());
-  for (LinesSection& chart : draw(cell_charts(), cell_observables(), series))
-    document.sections.emplace_back(std::move(chart));
+  append(document.sections, draw(cell_charts(), cell_observables(), series));
   const VtkhdfReader frames(folder.frames());
   const std::vector<double> times = histogram_times(values, frames);
   document.sections.emplace_back(length_section(frames, times, values.output.length_bin));
@@ -114,7 +107,7 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
   if (breaks.rows() > 0) document.sections.emplace_back(break_radius_section(values, breaks));
   document.sections.emplace_back(
       fibers_section(frames, "Flow along x, gradient along y.", read_cell_history(series, breaks)));
-  if (finished) document.sections.emplace_back(effort_section(SummaryFile(folder.summary())));
+  if (summary) document.sections.emplace_back(effort_section(*summary));
   return document;
 }
 

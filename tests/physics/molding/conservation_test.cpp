@@ -1,4 +1,4 @@
-// Holds volume, passive tracers and heat to account in a filling with all mechanisms.
+// Balances volume, passive tracers and heat in a filling with all mechanisms.
 #include <gtest/gtest.h>
 
 #include <utility>

@@ -23,7 +23,7 @@ namespace {
 constexpr double critical_beta = 7.7190;
 constexpr int polynomials = 8;  // even Legendre polynomials of the Galerkin solution; converged to 1e-8
 
-/// Holds the most dangerous bending mode.
+/// The most dangerous bending mode.
 struct BucklingMode {
   double growth = 0;             ///< in units of e
   Eigen::VectorXd coefficients;  ///< of P_0, P_2, P_4, …

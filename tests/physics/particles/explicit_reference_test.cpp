@@ -1,4 +1,4 @@
-// Holds the fast simulation against the slow one: all pairs, dense solves, explicit steps.
+// Compares the fast simulation with the slow one: all pairs, dense solves, explicit steps.
 #include <gtest/gtest.h>
 
 #include "reference/explicit_simulation.hpp"

@@ -1,4 +1,4 @@
-// Holds packings against all pairs of all images: no overlap, whatever the neighbour lists found; and
+// Compares packings with all pairs of all images: no overlap, whatever the neighbour lists found; and
 // measures the contact number of fibers placed at random against theory.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Holds the solver in node velocities and tensions against the dense system of nine unknowns a rod.
+// Compares the solver in node velocities and tensions with the dense system of nine unknowns a rod.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Holds the Phelps-Tucker solver against an independent solution of the same equations (matrix exponential).
+// Compares the Phelps-Tucker solver with an independent solution of the same equations (matrix exponential).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "continuum/durin_breakage.hpp"
 #include "continuum/phelps_solver.hpp"
 
 namespace fiberfate {
@@ -80,7 +81,7 @@ TEST(PhelpsReference, ChildrenOfEightBins) {
 
 /// Twice the rate and half the time is the same: time enters only as strain when the stress is kept.
 TEST(PhelpsScaling, TwiceTheRateHalfTheTime) {
-  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {100, 15e-3});
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {100, 15e-3});
   std::vector<double> slow(100, 1.0), fast(100, 1.0);
   solver.advance({50, 200}, 4, slow);
   solver.advance({100, 100}, 2, fast);
@@ -90,7 +91,7 @@ TEST(PhelpsScaling, TwiceTheRateHalfTheTime) {
 /// Lengths scale with L_ub: a viscosity 16 times lower doubles L_ub and, with doubled bins, changes no
 /// number.
 TEST(PhelpsScaling, LengthsScaleWithTheUnbreakableLength) {
-  const PhelpsConstants constants = {0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::durin};
+  const PhelpsConstants constants = {0.02, 3, 0.25, 73e9, 19e-6, 0, DurinBreakage::share};
   std::vector<double> thin(60, 1.0), thick(60, 1.0);
   PhelpsSolver(constants, {60, 8e-3}).advance({50, 200}, 4, thick);
   PhelpsSolver(constants, {60, 16e-3}).advance({50, 12.5}, 4, thin);
@@ -101,7 +102,7 @@ TEST(PhelpsScaling, LengthsScaleWithTheUnbreakableLength) {
 /// width.
 TEST(PhelpsBins, ConvergeWithTheirNumber) {
   const auto number_average = [](std::size_t bins) {
-    const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::durin}, {bins, 15e-3});
+    const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, DurinBreakage::share}, {bins, 15e-3});
     std::vector<double> numbers(bins, 0.0);
     numbers.back() = 1;
     solver.advance({50, 200}, 3, numbers);

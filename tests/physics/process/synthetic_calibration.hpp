@@ -9,13 +9,13 @@
 
 namespace fiberfate {
 
-/// Holds a parameter that is sought, or kept, and its true value.
+/// A parameter that is sought, or kept, and its true value.
 struct TrueParameter {
   std::string name;
   double value;
 };
 
-/// Holds a law, what is sought of it, and how well its measurements are known.
+/// A law, what is sought of it, and how well its measurements are known.
 struct SyntheticCase {
   enum class Kind { attrition, orientation } kind;
   std::string law;

@@ -21,7 +21,7 @@ std::vector<double> swept_values() {
   return values;
 }
 
-/// Holds samples that are off by these relative errors.
+/// Samples that are off by these relative errors.
 SweptLength swept_length(double strain, std::initializer_list<double> errors) {
   SweptLength length;
   for (const double error : errors) length.measured.push_back(length_at(true_value, strain) * (1 + error));

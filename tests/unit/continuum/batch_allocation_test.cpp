@@ -94,7 +94,7 @@ TEST(BatchAllocation, OrientationLawsAllocateNothing) {
 
 TEST(BatchAllocation, LengthLawsAllocateNothingForAPoint) {
   const RelaxationLawOf relaxation(UnbreakableLength{0.06, 1.5e-3, 2e9, 19e-6});
-  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {20, 15e-3});
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {20, 15e-3});
   const auto counts_of = [&](std::size_t points) {
     const std::vector<double> rates(points, 100.0), viscosities(points, 300.0);
     std::vector<double> lengths(points, 15e-3), numbers(20 * points, 1.0);

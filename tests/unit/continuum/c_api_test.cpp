@@ -85,7 +85,7 @@ TEST(CApi, BreakageEqualsTheSolversAndKeepsTheLength) {
   ASSERT_EQ(fiberfate_breakage_advance(law, 3, rates.data(), viscosities.data(), shielded.data(), 0.5,
                                        numbers.data()),
             FIBERFATE_OK);
-  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {50, 15e-3});
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {50, 15e-3});
   std::vector<double> expected(3 * 50, 1.0);
   solver.advance({rates, viscosities, shielded}, 0.5, expected);
   EXPECT_EQ(numbers, expected);

@@ -171,7 +171,7 @@ TEST(ImpossibleInput, BatchesOfLengthsNameThePoint) {
               relax_lengths(*law->relaxation(), {rates, viscosities}, 1, lengths);
             }).find("lengths[2]"),
             std::string::npos);
-  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {50, 15e-3});
+  const PhelpsSolver solver({0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {50, 15e-3});
   std::vector<double> numbers(30 * 50, 1.0);
   viscosities[5] = -3;
   EXPECT_NE(refusal([&] {

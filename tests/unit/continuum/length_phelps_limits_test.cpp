@@ -11,7 +11,7 @@
 namespace fiberfate {
 namespace {
 
-const PhelpsConstants constants = {0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps};
+const PhelpsConstants constants = {0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share};
 
 TEST(PhelpsLimits, TooManyBinsAreRefusedWithTheMemoryThatTheyWouldTake) {
   try {

@@ -10,12 +10,13 @@
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "base/threads.hpp"
+#include "continuum/durin_breakage.hpp"
 #include "continuum/phelps_solver.hpp"
 
 namespace fiberfate {
 namespace {
 
-const PhelpsConstants glass = {0.02, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps};
+const PhelpsConstants glass = {0.02, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share};
 const LengthFlow flow = {50, 200, 1};
 
 /// The matrix of dN/dt = M N, built straight from its definition.
@@ -61,13 +62,13 @@ TEST(UnbreakableLength, IsWhereDragEqualsTheBucklingLoad) {
 }
 
 TEST(BreakageShare, FollowsPhelpsAndDurin) {
-  EXPECT_EQ(breakage_share(BreakageRate::phelps, 0.999), 0);
-  EXPECT_EQ(breakage_share(BreakageRate::phelps, 1), 0);
-  EXPECT_NEAR(breakage_share(BreakageRate::phelps, 16), 1 - std::exp(-15.0), 1e-16);
-  EXPECT_EQ(breakage_share(BreakageRate::phelps, 1e6), 1);
-  EXPECT_NEAR(breakage_share(BreakageRate::durin, 0.5), (1 - std::exp(-0.5)) / (1 - std::exp(-1.0)), 1e-16);
-  EXPECT_EQ(breakage_share(BreakageRate::durin, 1), 1);
-  EXPECT_EQ(breakage_share(BreakageRate::durin, 0), 0);
+  EXPECT_EQ(PhelpsBreakage::share(0.999), 0);
+  EXPECT_EQ(PhelpsBreakage::share(1), 0);
+  EXPECT_NEAR(PhelpsBreakage::share(16), 1 - std::exp(-15.0), 1e-16);
+  EXPECT_EQ(PhelpsBreakage::share(1e6), 1);
+  EXPECT_NEAR(DurinBreakage::share(0.5), (1 - std::exp(-0.5)) / (1 - std::exp(-1.0)), 1e-16);
+  EXPECT_EQ(DurinBreakage::share(1), 1);
+  EXPECT_EQ(DurinBreakage::share(0), 0);
 }
 
 TEST(ChildNumbers, KeepTwoChildrenAndTheWholeLength) {
@@ -94,12 +95,12 @@ TEST(ChildNumbers, RefuseWhatBinsCannotResolve) {
   EXPECT_THROW((void)child_numbers(10, std::nan("")), InputError);
 }
 
-class PhelpsSteps : public testing::TestWithParam<std::tuple<std::size_t, BreakageRate, double>> {};
+class PhelpsSteps : public testing::TestWithParam<std::tuple<std::size_t, BreakageShare, double>> {};
 
 TEST_P(PhelpsSteps, EqualTheSlowReference) {
-  const auto [bins, breakage_rate, events] = GetParam();
+  const auto [bins, share, events] = GetParam();
   PhelpsConstants constants = glass;
-  constants.breakage_rate = breakage_rate;
+  constants.share = share;
   const PhelpsSolver solver(constants, {bins, 15e-3});
   std::vector<double> numbers(bins);
   for (std::size_t i = 0; i < bins; ++i)
@@ -114,7 +115,7 @@ TEST_P(PhelpsSteps, EqualTheSlowReference) {
 
 INSTANTIATE_TEST_SUITE_P(BinsRatesAndEvents, PhelpsSteps,
                          testing::Combine(testing::Values(2U, 7U, 100U, 133U),
-                                          testing::Values(BreakageRate::phelps, BreakageRate::durin),
+                                          testing::Values(PhelpsBreakage::share, DurinBreakage::share),
                                           testing::Values(1e-6, 0.1, 3.0, 40.0)));
 
 TEST(PhelpsSolver, DoesNotDependOnTheStepOrTheThreadsOrTheNeighbours) {
@@ -179,10 +180,10 @@ TEST(PhelpsSolver, TakesHugeStepsAndNoFlow) {
 }
 
 TEST(PhelpsSolver, RefusesBadConstants) {
-  EXPECT_THROW(PhelpsSolver({0.02, 0, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {100, 1e-2}), InputError);
-  EXPECT_THROW(PhelpsSolver({-1, 3, 0.25, 73e9, 19e-6, 0, BreakageRate::phelps}, {100, 1e-2}), InputError);
+  EXPECT_THROW(PhelpsSolver({0.02, 0, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {100, 1e-2}), InputError);
+  EXPECT_THROW(PhelpsSolver({-1, 3, 0.25, 73e9, 19e-6, 0, PhelpsBreakage::share}, {100, 1e-2}), InputError);
   EXPECT_THROW(PhelpsSolver(glass, {100, 0}), InputError);
-  EXPECT_NO_THROW(PhelpsSolver({0.02, 0, 0.25, 0, 0, 1e-3, BreakageRate::phelps}, {100, 1e-2}));
+  EXPECT_NO_THROW(PhelpsSolver({0.02, 0, 0.25, 0, 0, 1e-3, PhelpsBreakage::share}, {100, 1e-2}));
 }
 
 TEST(SortIntoBins, KeepsNumberAndLength) {
