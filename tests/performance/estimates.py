@@ -32,6 +32,7 @@ CASES = {
     "packing, bundles": ("08_pellets", []),
     "packing, two kinds": ("09_glass_and_carbon", []),
     "tensor and distribution": ("10_orientation_shear", []),
+    "sharp distribution": ("10_orientation_shear", ["solution.degree=80", "run.duration=50 s"]),
     "tensor, slow law": ("11_iard_rpr", []),
     "tensor, fine output": ("11_iard_rpr", ["output.interval=0.002"]),
     "stiffness": ("13_injected_plate_stiffness", []),

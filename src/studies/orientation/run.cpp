@@ -33,7 +33,9 @@ class DistributionFollower {
   [[nodiscard]] Mat3 advance_to(double time) {
     while (time_ < time) {
       const double end = std::min(time, history_.next_change(time_));
-      equation_.advance(psi_, history_.at(time_).gradient, end - time_, tolerance_);
+      const Mat3 gradient = history_.at(time_).gradient;
+      if (!flow_ || flow_->gradient != gradient) flow_ = equation_.in_flow(gradient);
+      equation_.advance(psi_, *flow_, end - time_, tolerance_);
       time_ = end;
     }
     return equation_.second_moment(psi_);
@@ -44,6 +46,7 @@ class DistributionFollower {
  private:
   FokkerPlanck equation_;
   FlowHistory history_;
+  std::optional<FokkerPlanck::InFlow> flow_;
   IntegrationTolerance tolerance_;
   Eigen::VectorXd psi_;
   double time_ = 0;
