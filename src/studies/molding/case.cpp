@@ -71,7 +71,8 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
   if (given > 1)
     checker.error("fibers.length", "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");
-  if (given == 0 && (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
+  if (given == 0 && lengths_are_read(checker) &&
+      (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
     checker.error("fibers.length", "no lengths are given, but a law of length or the coupling needs them",
                   "give length, or distribution, or number_average and weight_average");
   if (means && !(fibers.number_average && fibers.weight_average))
