@@ -584,6 +584,12 @@ def test_a_flipped_facet_is_turned_and_told(tmp_path):
     assert without_pace(mended.stdout) == without_pace(sound.stdout)
 
 
+def test_a_fault_of_an_stl_file_has_its_line(tmp_path):
+    (tmp_path / "case.toml").write_text(STRIP, encoding="utf-8")
+    (tmp_path / "strip.stl").write_text(strip_stl().replace("VERTEX 2.5 2.5 0", "VERTEX 2.5 nan 0", 1), encoding="utf-8")
+    assert re.search(r"strip\.stl:6:\d+: 'nan': not a finite number", run("check", tmp_path / "case.toml", expect=2).stderr)
+
+
 def test_a_mesh_that_gmsh_crashes_on_is_refused_in_words(tmp_path):
     (tmp_path / "case.toml").write_text(STRIP.replace("strip.stl", "part.msh"), encoding="utf-8")
     (tmp_path / "part.msh").write_bytes(b"$MeshFormat\n4.1 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Entities\n" + b"\xff" * 64 + b"\n$EndEntities\n")
