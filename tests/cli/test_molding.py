@@ -152,6 +152,18 @@ def test_a_report_is_written(plaque):
     run("check", plaque / "case.resolved.toml")
 
 
+def test_tables_that_do_not_belong_to_the_case_are_refused_by_the_report(plaque, tmp_path):
+    folder = tmp_path / "r"
+    shutil.copytree(plaque, folder)
+    table = (folder / "places.csv").read_text(encoding="utf-8")
+    last = table.splitlines()[-1]
+    (folder / "places.csv").write_text(table + "99" + last[last.index(","):] + "\n", encoding="utf-8")
+    refused = run("report", folder, expect=3)
+    assert "places.csv: there is no place 99; the case has" in refused.stderr
+    (folder / "places.csv").write_text(table.splitlines()[0] + "\n", encoding="utf-8")
+    run("report", folder)
+
+
 @pytest.mark.parametrize("solver, element, nodes", [("abaqus", "S3", 3), ("calculix", "S6", 6)])
 def test_a_structural_solver_gets_the_plies_of_every_triangle(plaque, solver, element, nodes):
     run("export", plaque, "--format", solver)
