@@ -44,6 +44,7 @@ CASES = {
     "fit of a tensor": ("26_rsc_from_shear", []),
     "measured fibers": ("27_measured_fibers", []),
     "fit in molds": ("33_molding_xi", []),
+    "four constants in molds": ("29_stress_law_in_mold", []),
     "plaque": ("30_plaque", []),
     "length classes": ("31_length_classes", []),
     "tailgate": ("32_tailgate", ["short"]),
