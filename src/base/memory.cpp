@@ -2,12 +2,14 @@
 #include "base/memory.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <new>
 #include <thread>
 
 #include "base/error.hpp"
@@ -116,6 +118,12 @@ void bound_memory() {
   if (most >= static_cast<double>(std::min(now.rlim_cur, now.rlim_max))) return;
   now.rlim_cur = static_cast<rlim_t>(most);
   setrlimit(RLIMIT_DATA, &now);
+}
+
+void require_room(std::size_t bytes) {
+  void* mapped = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (mapped == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(mapped, bytes);
 }
 
 std::string memory_text(double bytes) {

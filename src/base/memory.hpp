@@ -1,6 +1,7 @@
 // How much memory a process may take, and what happens when it asks for more.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -25,6 +26,10 @@ inline constexpr bool has_shadow_memory = false;
 /// Makes allocations beyond the memory of the machine and its control groups fail (std::bad_alloc). Without a
 /// bound the system grants them, and ends the process without a word once it uses them.
 void bound_memory();
+
+/// Raises bad_alloc unless so many bytes could still be had, for libraries that crash or end the program
+/// where their own allocations fail. They are mapped, not allocated: allocations behave afterwards as before.
+void require_room(std::size_t bytes);
 
 /// Tells an amount of memory, "about 40 MB".
 [[nodiscard]] std::string memory_text(double bytes);

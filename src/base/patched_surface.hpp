@@ -17,6 +17,7 @@ struct Patch {
   std::vector<std::array<std::size_t, 2>>
       inner_edges;                        ///< corners of edges inside, along which triangles meet
   std::vector<std::size_t> inner_points;  ///< corners inside that become points of the mesh
+  bool operator==(const Patch&) const = default;
 };
 
 /// Patches that meet at edges: an edge between the same two corners is meshed once.
@@ -24,6 +25,7 @@ struct PatchedSurface {
   std::vector<Vec3> corners;  ///< m
   std::vector<double> sizes;  ///< edge length of triangles wanted at each corner, m
   std::vector<Patch> patches;
+  bool operator==(const PatchedSurface&) const = default;
 };
 
 }  // namespace fiberfate

@@ -15,6 +15,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/memory.hpp"
 #include "base/trimmed.hpp"
 
 namespace fiberfate {
@@ -31,8 +32,13 @@ std::mutex& udunits_turn() {
   return turn;
 }
 
+/// What the library takes for its database and for a unit; it ends the program where its own allocations
+/// fail.
+constexpr std::size_t room_of_database = 4 << 20, room_of_unit = 1 << 20;
+
 ut_system* unit_system() {
   static ut_system* system = [] {
+    require_room(room_of_database);
     ut_set_error_message_handler(ut_ignore);
     return ut_read_xml(nullptr);
   }();
@@ -150,6 +156,7 @@ std::string meant_unit(const std::string& unit) {
 }
 
 Unit parse_unit(const std::string& text) {
+  require_room(room_of_unit);
   Unit unit(ut_parse(unit_system(), text.c_str(), UT_UTF8), ut_free);
   if (!unit) throw std::invalid_argument(fmt::format("'{}' is not a unit{}", text, meant_unit(text)));
   return unit;

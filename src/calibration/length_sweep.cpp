@@ -2,10 +2,11 @@
 #include "calibration/length_sweep.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numeric>
 
+#include "base/error.hpp"
+#include "base/number_checks.hpp"
 #include "calibration/natural_spline.hpp"
 
 namespace fiberfate {
@@ -83,10 +84,26 @@ double least_place(const std::vector<double>& places, const Function& function) 
   return best;
 }
 
+void require_sound(const std::vector<double>& values, const std::vector<SweptLength>& lengths) {
+  require_numbers("values", values, any_finite);
+  const auto falls = [](double first, double second) { return !(first < second); };
+  if (values.size() < 3 || std::ranges::adjacent_find(values, falls) != values.end())
+    throw InputError("the values of the sweep do not rise, or are fewer than three",
+                     "give three rising values or more");
+  if (lengths.empty())
+    throw InputError("no length was measured", "give what was measured at one place at least");
+  for (const SweptLength& one : lengths) {
+    if (one.measured.empty()) throw InputError("a place has no measured length", "leave the place out");
+    require_numbers("measured", one.measured, positive);
+    require_same_size("predicted", one.predicted.size(), values.size());
+    require_numbers("predicted", one.predicted, positive);
+  }
+}
+
 }  // namespace
 
 SweepOutcome evaluate_sweep(const std::vector<double>& values, const std::vector<SweptLength>& lengths) {
-  assert(values.size() >= 3 && !lengths.empty());
+  require_sound(values, lengths);
   const bool logarithmic = values.front() > 0;
   std::vector<double> places = values;
   if (logarithmic)

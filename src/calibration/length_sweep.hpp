@@ -25,8 +25,9 @@ struct SweepOutcome {
 /// cubic spline in the logarithm of the value (in the value itself where one is not positive): lengths are
 /// smooth in it. Errors (4.7) are of the mean over the samples of a place, relative to it. The optimum of
 /// (4.8) has kinks, one a place; that of least squares over all samples is smooth and less noisy. The
-/// standard error is that of linearised least squares with the scatter that is found. Source: thesis (4.7),
-/// (4.8).
+/// standard error is that of linearised least squares with the scatter that is found. Raises InputError for
+/// fewer than three values or some that do not rise, for no lengths, and for such that are not positive.
+/// Source: thesis (4.7), (4.8).
 [[nodiscard]] SweepOutcome evaluate_sweep(const std::vector<double>& values,
                                           const std::vector<SweptLength>& lengths);
 

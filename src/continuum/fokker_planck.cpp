@@ -60,7 +60,8 @@ Eigen::VectorXd FokkerPlanck::with_second_moment(const Mat3& second) const {
   const Mat3 gradient =
       frame.axes * (-0.5 * shape.array().log()).matrix().asDiagonal() * frame.axes.transpose();
   Eigen::VectorXd psi = isotropic();
-  FokkerPlanck({}, degree_).follow(psi, gradient, 1, {.absolute = 1e-12, .relative = 1e-12});
+  const FokkerPlanck jeffery({}, degree_);
+  jeffery.follow(psi, jeffery.in_flow(gradient), 1, {.absolute = 1e-12, .relative = 1e-12});
   if ((second_moment(psi) - second).norm() > 1e-5 || tail(psi) > unresolved_tail)
     throw InputError(fmt::format("harmonics up to degree {} do not resolve so aligned a state", degree_),
                      "raise the degree");
@@ -156,23 +157,37 @@ Mat3 FokkerPlanck::diffusion_at(const Eigen::VectorXd& psi, const Mat3& gradient
   return diffusion;
 }
 
+bool FokkerPlanck::has_fixed_diffusion() const {
+  return !description_of(model_.diffusion).depends_on_orientation;
+}
+
+FokkerPlanck::InFlow FokkerPlanck::in_flow(const Mat3& gradient) const {
+  require_numbers("gradient", gradient.reshaped(), any_finite);
+  InFlow flow = {gradient, flow_operator(gradient)};
+  if (has_fixed_diffusion()) flow.constant += diffusion_operator(diffusion_at(isotropic(), gradient));
+  return flow;
+}
+
 void FokkerPlanck::advance(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
                            const IntegrationTolerance& tolerance) const {
-  require_distribution(psi, gradient);
+  advance(psi, in_flow(gradient), duration, tolerance);
+}
+
+void FokkerPlanck::advance(Eigen::VectorXd& psi, const InFlow& flow, double duration,
+                           const IntegrationTolerance& tolerance) const {
+  require_distribution(psi, flow.gradient);
   require_number("duration", duration, not_negative);
   require_number("tolerance", tolerance.absolute + tolerance.relative, positive);
-  follow(psi, gradient, duration, tolerance);
+  follow(psi, flow, duration, tolerance);
   require_resolved(psi);
 }
 
-void FokkerPlanck::follow(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
+void FokkerPlanck::follow(Eigen::VectorXd& psi, const InFlow& flow, double duration,
                           const IntegrationTolerance& tolerance) const {
-  const Sparse flow = flow_operator(gradient);
-  const bool fixed = !description_of(model_.diffusion).depends_on_orientation;
-  const Sparse constant = fixed ? Sparse(flow + diffusion_operator(diffusion_at(psi, gradient))) : flow;
+  const bool fixed = has_fixed_diffusion();
   const auto slope = [&](const Eigen::VectorXd& at, Eigen::VectorXd& rate) {
-    rate = constant * at;
-    if (!fixed) rate += diffusion_operator(diffusion_at(at, gradient)) * at;
+    rate = flow.constant * at;
+    if (!fixed) rate += diffusion_operator(diffusion_at(at, flow.gradient)) * at;
   };
   IntegrationRecord record;
   const auto settle = [](Eigen::VectorXd&) { return false; };

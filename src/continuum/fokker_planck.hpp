@@ -49,10 +49,21 @@ class FokkerPlanck {
   /// from resolving the distribution.
   [[nodiscard]] double tail(const Eigen::VectorXd& psi) const;
 
+  /// The equation in one velocity gradient, which costs as much to set up as many steps.
+  struct InFlow {
+    Mat3 gradient = Mat3::Zero();          ///< 1/s
+    Eigen::SparseMatrix<double> constant;  ///< of the rate, the part that does not depend on the distribution
+  };
+  /// Sets the equation up in a gradient. Raises InputError for an indefinite diffusion tensor.
+  [[nodiscard]] InFlow in_flow(const Mat3& gradient) const;
+
   /// Advances a distribution by `duration` (s) in a constant velocity gradient (1/s). Raises
   /// SimulationFailure when the step size falls to nothing, or when the distribution has become too sharp for
   /// the harmonics: its moments would be wrong.
   void advance(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
+               const IntegrationTolerance& tolerance) const;
+  /// Does the same where the flow is set up already.
+  void advance(Eigen::VectorXd& psi, const InFlow& flow, double duration,
                const IntegrationTolerance& tolerance) const;
 
   /// Finds the distribution that does not change in a constant velocity gradient; iterates where C depends on
@@ -62,9 +73,10 @@ class FokkerPlanck {
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
+  [[nodiscard]] bool has_fixed_diffusion() const;
   [[nodiscard]] Sparse flow_operator(const Mat3& gradient) const;
   [[nodiscard]] Sparse diffusion_operator(const Mat3& diffusion) const;
-  void follow(Eigen::VectorXd& psi, const Mat3& gradient, double duration,
+  void follow(Eigen::VectorXd& psi, const InFlow& flow, double duration,
               const IntegrationTolerance& tolerance) const;
   void require_resolved(const Eigen::VectorXd& psi) const;
   void require_distribution(const Eigen::VectorXd& psi, const Mat3& gradient) const;

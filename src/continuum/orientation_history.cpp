@@ -52,10 +52,14 @@ void OrientationIntegrator::advance_to(double time) {
   require_number("time", time, {.lower = state_.time});
   while (state_.time < time) {
     const double end = std::min(time, history_.next_change(state_.time));
-    const Mat3 gradient = history_.at(state_.time).gradient;
-    if (!advance_over(gradient, end - state_.time))
+    const Flow flow = history_.at(state_.time);
+    const double span = end - state_.time;
+    if (!advance_over(flow.gradient, span))
       throw SimulationFailure(
-          fmt::format("the orientation cannot be integrated beyond {:g} s within the tolerance", state_.time),
+          fmt::format(
+              "the orientation cannot be followed from {:g} s to {:g} s, {:.3g} units of strain, in {} "
+              "steps within the tolerance",
+              state_.time, end, span * flow.shear_rate(), tolerance_.most_steps),
           {.step = record_.accepted, .time = state_.time});
     state_.time = end;
   }

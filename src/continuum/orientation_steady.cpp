@@ -157,6 +157,23 @@ std::string words_for(const Mat3& a) {
   return fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", a(0, 0), a(1, 1), a(2, 2));
 }
 
+/// Whether one direction outgrows all others in the flow alone, so that fibers without diffusion align with
+/// it: that of the eigenvalue of W + xi D with the largest real part. In shear there is none.
+bool flow_aligns(const OrientationModel& model, const Mat3& gradient, double shear_rate) {
+  const Mat3 spin = 0.5 * (gradient - gradient.transpose()), strain = 0.5 * (gradient + gradient.transpose());
+  const Mat3 stretching = (spin + model.constants.xi * strain) / shear_rate;
+  Vec3 growth = Eigen::EigenSolver<Mat3>(stretching, false).eigenvalues().real();
+  std::ranges::sort(growth);
+  return growth[2] - growth[1] > marginal_decay;
+}
+
+/// Whether a state stands only by the error of a closure: where nothing spreads fibers and no direction
+/// outgrows the others, every one of them has an orientation of its own or turns for ever.
+bool is_of_closure(const OrientationModel& model, const Mat3& gradient, double shear_rate, const Vec5& x) {
+  return model.constants.u0 == 0 && rotary_diffusion(model, state_of(x), gradient).isZero() &&
+         !flow_aligns(model, gradient, shear_rate);
+}
+
 /// What the starts came to.
 struct Found {
   std::vector<Vec5> stable;
@@ -212,6 +229,14 @@ SteadyOrientation steady_orientation(const OrientationModel& model, const Mat3& 
     throw SimulationFailure("there is no steady orientation: " +
                                 (found.fault.empty() ? "the state never settles in this flow" : found.fault),
                             {});
+  const auto of_closure = std::ranges::find_if(
+      found.stable, [&](const Vec5& x) { return is_of_closure(model, gradient, shear_rate, x); });
+  if (of_closure != found.stable.end())
+    throw SimulationFailure(
+        fmt::format("there is no steady orientation: without diffusion fibers align or turn for ever in this "
+                    "flow; that at {} stands by the error of the closure {}",
+                    words_for(state_of(*of_closure)), name(model.closure)),
+        {});
   if (found.stable.size() > 1)
     throw SimulationFailure(
         fmt::format(

@@ -22,8 +22,8 @@ struct SteadyOrientation {
 /// Retardations do not move steady states and are left out of the search; they enter the decay rate. Raises
 /// InputError where nothing deforms or the retardation holds the principal values, and SimulationFailure,
 /// which says what holds instead, where no state is found, where those found are impossible, unstable or not
-/// isolated (without diffusion fibers align for ever, or turn), or where several are stable and the start
-/// decides.
+/// isolated (without diffusion fibers align for ever, or turn; a closure may hide that), or where several are
+/// stable and the start decides.
 [[nodiscard]] SteadyOrientation steady_orientation(const OrientationModel& model, const Mat3& gradient);
 
 }  // namespace fiberfate

@@ -2,8 +2,9 @@
 #include "fibers/observables.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
+
+#include "base/error.hpp"
 
 namespace fiberfate {
 namespace {
@@ -27,6 +28,12 @@ void visit_hinges(const FiberState& state, const Visit& visit) {
   for (const FiberIndex fiber : state.fibers()) {
     for (const NodeIndex hinge : state.hinges(fiber)) visit(hinge_radius(state, hinge));
   }
+}
+
+/// Whether numbers rise; NaN does not.
+bool rise(std::span<const double> numbers) {
+  const auto falls = [](double first, double second) { return !(first < second); };
+  return std::ranges::adjacent_find(numbers, falls) == numbers.end();
 }
 
 }  // namespace
@@ -62,7 +69,8 @@ Eigen::Matrix<double, 6, 6> orientation_tensor4(const FiberState& state, Weighti
 
 std::vector<double> length_histogram(const FiberState& state, std::span<const double> edges,
                                      Weighting weighting) {
-  assert(edges.size() >= 2 && std::is_sorted(edges.begin(), edges.end()));
+  if (edges.size() < 2 || !rise(edges))
+    throw InputError("the edges of the bins do not rise, or are fewer than two", "give rising edges");
   std::vector<double> bins(edges.size() - 1, 0.0);
   for (const FiberIndex fiber : state.fibers()) {
     const double length = fiber_length(state, fiber);

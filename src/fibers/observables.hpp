@@ -25,7 +25,7 @@ enum class Weighting { number, length };
 [[nodiscard]] Eigen::Matrix<double, 6, 6> orientation_tensor4(const FiberState& state, Weighting weighting);
 
 /// Counts fibers by length, or sums their lengths, in bins with the given rising edges (m); the last bin is
-/// closed.
+/// closed. Raises InputError for fewer than two edges, or some that do not rise.
 [[nodiscard]] std::vector<double> length_histogram(const FiberState& state, std::span<const double> edges,
                                                    Weighting weighting);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 namespace fiberfate {
@@ -109,6 +110,21 @@ CsvTable read_csv(const std::string& path) {
       add_row(table, row, fmt::format("{}:{}", path, line));
     }
   }
+  return table;
+}
+
+CsvTable read_rows(const std::string& path) {
+  CsvTable table = read_csv(path);
+  if (table.rows() == 0) throw StorageError(path + " has no rows");
+  return table;
+}
+
+CsvTable read_numbered(const std::string& path, const NumberedColumn& column) {
+  CsvTable table = read_csv(path);
+  for (const double number : table.column(column.name))
+    if (!(number >= 0) || number >= static_cast<double>(column.count) || number != std::floor(number))
+      throw StorageError(fmt::format("{}: there is no {} {:g}; the case has {}, counted from 0", path,
+                                     column.name, number, column.count));
   return table;
 }
 

@@ -51,6 +51,17 @@ struct CsvTable {
 /// Reads a table; raises StorageError with the line at fault.
 [[nodiscard]] CsvTable read_csv(const std::string& path);
 
+/// Reads a table that has rows; raises StorageError for one without.
+[[nodiscard]] CsvTable read_rows(const std::string& path);
+
+/// A column that numbers so many things from 0.
+struct NumberedColumn {
+  std::string name;
+  std::size_t count = 0;
+};
+/// Reads a table with such a column; raises StorageError for the number of a thing that is not there.
+[[nodiscard]] CsvTable read_numbered(const std::string& path, const NumberedColumn& column);
+
 /// Writes a whole table; raises StorageError.
 void write_csv(const std::string& path, const CsvTable& table);
 

@@ -2,14 +2,13 @@
 #include "io/hdf5_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <limits>
-#include <new>
 
+#include "base/memory.hpp"
 #include "io/hdf5_handle.hpp"
 #include "io/input_file.hpp"
 
@@ -109,14 +108,8 @@ Hdf5Handle select_rows(const Hdf5Handle& dataset, RowRange range, const Hdf5Acti
   return space;
 }
 
-/// Raises bad_alloc where memory is about to end: the library crashes when an allocation of its own fails.
-/// The room is mapped, not allocated, so that allocations behave afterwards as before.
-void require_room_for_library() {
-  constexpr std::size_t room = 16 << 20;  // chunks, filters and caches of one file
-  void* mapped = ::mmap(nullptr, room, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (mapped == MAP_FAILED) throw std::bad_alloc();
-  ::munmap(mapped, room);
-}
+/// What the chunks, filters and caches of one file take; the library crashes where its own allocations fail.
+constexpr std::size_t room_of_a_file = 16 << 20;
 
 }  // namespace
 
@@ -124,7 +117,7 @@ Hdf5File::Hdf5File(std::int64_t id, std::string path) : id_(id), path_(std::move
 
 Hdf5File Hdf5File::create(const std::string& path) {
   prepare_library();
-  require_room_for_library();
+  require_room(room_of_a_file);
   const Hdf5Handle access = access_list(path);
   return {checked(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), {"cannot create", path, {}}),
           path};
@@ -132,7 +125,7 @@ Hdf5File Hdf5File::create(const std::string& path) {
 
 Hdf5File Hdf5File::open(const std::string& path, Access access) {
   prepare_library();
-  require_room_for_library();
+  require_room(room_of_a_file);
   // The library would wait for a pipe for ever.
   if (const std::string fault = reading_fault(path, any_size); !fault.empty())
     throw StorageError(fmt::format("cannot open {}: {}", path, fault));

@@ -114,7 +114,7 @@ void CaseChecker::warn(const std::string& key, const std::string& complaint, con
 void CaseChecker::warn_unused(const std::vector<std::string>& keys, const std::string& reader) {
   if (is_given("version")) return;
   for (const std::string& key : keys)
-    if (is_given(key)) warn(key, "has no effect", "only " + reader + " reads it");
+    if (is_given(key)) warn(key, "has no effect", "it is read by " + reader + " only");
 }
 
 bool CaseChecker::is_sound(const std::string& key) const {

@@ -143,22 +143,19 @@ std::vector<double> even_edges(const MeasuredLengths& fibers, int bins) {
   return edges;
 }
 
-LengthIntervals bootstrap_mean_lengths(const MeasuredLengths& fibers, double level, int resamples,
-                                       std::uint64_t seed) {
+LengthIntervals bootstrap_mean_lengths(const MeasuredLengths& fibers, const Resampling& resampling) {
   require_usable(fibers);
   std::vector<double> number_averages, weight_averages;
-  std::vector<int> counts;
-  for (int sample = 0; sample < resamples; ++sample) {
-    draw_counts(counts, fibers.lengths.size(), sample, seed);
+  visit_samples(fibers.lengths.size(), resampling, [&](const std::vector<int>& counts) {
     Sums sums;
     for (std::size_t i = 0; i < fibers.lengths.size(); ++i)
       sums.add(counts[i] * number_of(fibers, i), fibers.lengths[i]);
-    if (!(sums.length > 0)) continue;  // only fibers of number zero were drawn
+    if (!(sums.length > 0)) return;  // only fibers of number zero were drawn
     number_averages.push_back(sums.length / sums.count);
     weight_averages.push_back(sums.square / sums.length);
-  }
-  return {percentile_interval(number_average(fibers), number_averages, level),
-          percentile_interval(weight_average(fibers), weight_averages, level)};
+  });
+  return {percentile_interval(number_average(fibers), number_averages, resampling.level),
+          percentile_interval(weight_average(fibers), weight_averages, resampling.level)};
 }
 
 }  // namespace fiberfate

@@ -50,10 +50,9 @@ struct LengthIntervals {
   Interval weight_average;  ///< L_W, m
 };
 
-/// Finds intervals that hold with probability `level` each from `resamples` draws of the list's fibers with
-/// replacement; a correction for sampling goes along with each fiber. The same seed gives the same intervals.
-/// Source: Efron, Ann. Stat. 7, 1 (1979).
-[[nodiscard]] LengthIntervals bootstrap_mean_lengths(const MeasuredLengths& fibers, double level,
-                                                     int resamples, std::uint64_t seed);
+/// Finds intervals from draws of the list's fibers with replacement; a correction for sampling goes along
+/// with each fiber. The same seed gives the same intervals. Source: Efron, Ann. Stat. 7, 1 (1979).
+[[nodiscard]] LengthIntervals bootstrap_mean_lengths(const MeasuredLengths& fibers,
+                                                     const Resampling& resampling);
 
 }  // namespace fiberfate

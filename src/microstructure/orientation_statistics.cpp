@@ -87,21 +87,18 @@ Mat6 fourth_moment(const MeasuredDirections& fibers) {
   return sum / weights;
 }
 
-OrientationInterval bootstrap_second_moment(const MeasuredDirections& fibers, double level, int resamples,
-                                            std::uint64_t seed) {
+OrientationInterval bootstrap_second_moment(const MeasuredDirections& fibers, const Resampling& resampling) {
   OrientationInterval interval;
   interval.estimate = second_moment(fibers);
   std::vector<std::vector<double>> components(6);
-  std::vector<int> counts;
-  for (int sample = 0; sample < resamples; ++sample) {
-    draw_counts(counts, fibers.directions.size(), sample, seed);
+  visit_samples(fibers.directions.size(), resampling, [&](const std::vector<int>& counts) {
     const Vec6 moment = to_components(counted_moment(fibers, counts));
     for (std::size_t m = 0; m < 6; ++m) components[m].push_back(moment[static_cast<int>(m)]);
-  }
+  });
   Vec6 lower, upper;
   const Vec6 estimate = to_components(interval.estimate);
   for (int m = 0; m < 6; ++m) {
-    const Interval one = percentile_interval(estimate[m], components[m], level);
+    const Interval one = percentile_interval(estimate[m], components[m], resampling.level);
     lower[m] = one.lower;
     upper[m] = one.upper;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vector.hpp"
+#include "microstructure/bootstrap.hpp"
 #include "microstructure/tensor.hpp"
 
 namespace fiberfate {
@@ -41,10 +42,9 @@ struct OrientationInterval {
   Mat3 upper = Mat3::Zero();
 };
 
-/// Finds percentile-bootstrap intervals of A2 that hold with probability `level` (0 to 1) each, from
-/// `resamples` draws with replacement; the same seed gives the same intervals. Source: Efron, Ann. Stat. 7, 1
-/// (1979).
-[[nodiscard]] OrientationInterval bootstrap_second_moment(const MeasuredDirections& fibers, double level,
-                                                          int resamples, std::uint64_t seed);
+/// Finds percentile-bootstrap intervals of A2 from draws with replacement; the same seed gives the same
+/// intervals. Source: Efron, Ann. Stat. 7, 1 (1979).
+[[nodiscard]] OrientationInterval bootstrap_second_moment(const MeasuredDirections& fibers,
+                                                          const Resampling& resampling);
 
 }  // namespace fiberfate

@@ -97,6 +97,13 @@ void check_inlet(const InletFibers& inlet, const MoldingFibers& fibers, const st
         "give numbers of fibers, at least one above zero");
 }
 
+void check_inlet_of(const std::string& gate, const InletFibers& inlet, const MoldingFibers& fibers,
+                    Problems& problems) {
+  const std::size_t before = problems.size();
+  check_inlet(inlet, fibers, "gates.inlet", problems);
+  for (std::size_t i = before; i < problems.size(); ++i) problems[i].value = gate;
+}
+
 void check_fibers(const FillingParams& params, Problems& problems) {
   const MoldingFibers& fibers = params.fibers;
   if (!fibers.length_sets.empty() && fibers.class_lengths.empty())
@@ -118,8 +125,7 @@ void check_fibers(const FillingParams& params, Problems& problems) {
                         fmt::format("{} inlets for {} gates", fibers.gate_inlets.size(), params.gates.size()),
                         "give one a gate, or none"});
   for (std::size_t g = 0; g < std::min(fibers.gate_inlets.size(), params.gates.size()); ++g)
-    if (fibers.gate_inlets[g])
-      check_inlet(*fibers.gate_inlets[g], fibers, "gate " + params.gates[g].name + ".inlet", problems);
+    if (fibers.gate_inlets[g]) check_inlet_of(params.gates[g].name, *fibers.gate_inlets[g], fibers, problems);
 }
 
 void check_coupling(const MoldingFibers& fibers, Problems& problems) {

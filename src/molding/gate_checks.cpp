@@ -14,6 +14,11 @@ namespace {
 /// A sensor may lie so far off the middle surface, m.
 constexpr double sensor_reach = 1e-3;
 
+/// A problem of one gate or sensor: its value is the name.
+InputProblem problem_of(const std::string& name, const char* key, std::string complaint, std::string remedy) {
+  return {"", 0, 0, key, name, std::move(complaint), std::move(remedy)};
+}
+
 /// Writes an event as case files do.
 std::string text_of(const Trigger& trigger, const std::vector<Sensor>& sensors) {
   const std::string at = trigger.sensor >= 0 && trigger.sensor < std::ssize(sensors)
@@ -45,7 +50,7 @@ bool comparable(const Trigger& first, const Trigger& second) {
 class EventChecker {
  public:
   EventChecker(const Gate& gate, const std::vector<Sensor>& sensors, std::vector<InputProblem>& problems)
-      : sensors_(sensors), problems_(problems), key_("gate " + gate.name + ".events") {
+      : sensors_(sensors), problems_(problems), gate_(gate.name) {
     for (const OpenInterval& interval : gate.intervals) {
       events_.push_back(interval.opens);
       events_.push_back(interval.closes);
@@ -61,7 +66,7 @@ class EventChecker {
 
  private:
   void add(std::string complaint, std::string remedy) {
-    problems_.push_back({"", 0, 0, key_, "", std::move(complaint), std::move(remedy)});
+    problems_.push_back(problem_of(gate_, "gates.events", std::move(complaint), std::move(remedy)));
   }
 
   void check_value(const Trigger& event) {
@@ -91,14 +96,13 @@ class EventChecker {
 
   const std::vector<Sensor>& sensors_;
   std::vector<InputProblem>& problems_;
-  std::string key_;
+  const std::string& gate_;
   std::vector<Trigger> events_;
 };
 
-void check_place(const std::string& key, double gap, double allowed, std::vector<InputProblem>& problems) {
-  if (gap > allowed)
-    problems.push_back({"", 0, 0, key, "", fmt::format("it lies {:.4g} mm off the part", 1e3 * gap),
-                        "move it onto the middle surface of the part"});
+InputProblem off_the_part(const std::string& name, const char* key, double gap) {
+  return problem_of(name, key, fmt::format("it lies {:.4g} mm off the part", 1e3 * gap),
+                    "move it onto the middle surface of the part");
 }
 
 bool opens_at_start(const Gate& gate) {
@@ -114,22 +118,24 @@ bool opens_at_start(const Gate& gate) {
 void check_gates(const FillingParams& params, const ShellMesh& mesh, std::vector<InputProblem>& problems) {
   bool some_open = false;
   for (const Gate& gate : params.gates) {
-    const std::string key = "gate " + gate.name;
     if (!(gate.radius > 0) || !std::isfinite(gate.radius))
-      problems.push_back({"", 0, 0, key + ".radius", fmt::format("{:g}", gate.radius), "it is not positive",
-                          "give a number above zero"});
+      problems.push_back(problem_of(gate.name, "gates.radius",
+                                    fmt::format("{:g} m is not positive", gate.radius),
+                                    "give a number above zero"));
     if (!(gate.resistance >= 0) || !std::isfinite(gate.resistance))
-      problems.push_back({"", 0, 0, key + ".resistance", fmt::format("{:g}", gate.resistance),
-                          "it is negative or not finite", "give 0 for no runner"});
+      problems.push_back(problem_of(gate.name, "gates.resistance",
+                                    fmt::format("{:g} Pa s/m3 is negative or not finite", gate.resistance),
+                                    "give 0 for no runner"));
     EventChecker(gate, params.sensors, problems).check();
     some_open = some_open || opens_at_start(gate);
-    check_place(key + ".position", distance_from_part(gate, mesh), gate.radius, problems);
+    if (const double gap = distance_from_part(gate, mesh); gap > gate.radius)
+      problems.push_back(off_the_part(gate.name, "gates.position", gap));
   }
   for (const Sensor& sensor : params.sensors) {
     Gate probe;
     probe.position = sensor.position;
-    check_place("sensor " + sensor.name + ".position", distance_from_part(probe, mesh), sensor_reach,
-                problems);
+    if (const double gap = distance_from_part(probe, mesh); gap > sensor_reach)
+      problems.push_back(off_the_part(sensor.name, "sensors.position", gap));
   }
   if (params.gates.empty())
     problems.push_back({"", 0, 0, "gates", "", "there are none", "place at least one gate on the part"});

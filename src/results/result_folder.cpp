@@ -107,9 +107,12 @@ void require_result(const ResultFolder& folder) {
   std::error_code reason;
   if (!fs::is_directory(folder.path(), reason))
     throw InputError(folder.path() + " is not a folder", "name the folder of a result");
-  if (!fs::exists(folder.resolved_case(), reason))
-    throw InputError(folder.path() + " holds no result: case.resolved.toml is missing",
-                     "name the folder that 'fiberfate run' wrote");
+  if (fs::exists(folder.resolved_case(), reason)) return;
+  if (reason)
+    throw InputError(fmt::format("cannot reach {}: {}", folder.resolved_case(), reason.message()),
+                     "ask for the permission to read the folder");
+  throw InputError(folder.path() + " holds no result: case.resolved.toml is missing",
+                   "name the folder that 'fiberfate run' wrote");
 }
 
 /// Whether a process was killed here while it moved a result out of the way.

@@ -51,6 +51,11 @@ KeyRows<LengthChoices> length_form_rows() {
   };
 }
 
+bool lengths_are_read(const CaseChecker& checker) {
+  return checker.is_sound("fibers.distribution") && checker.is_sound("fibers.number_average") &&
+         checker.is_sound("fibers.weight_average");
+}
+
 bool gives_means(const LengthChoices& fibers) {
   return fibers.number_average || fibers.weight_average;
 }

@@ -30,6 +30,8 @@ struct LengthChoices {
 [[nodiscard]] KeyRows<LengthChoices> initial_length_rows();
 [[nodiscard]] KeyRows<LengthChoices> length_form_rows();
 
+/// Whether no key of classes or means was given with a fault, so that what is missing was never given.
+[[nodiscard]] bool lengths_are_read(const CaseChecker& checker);
 /// Whether both or one of the means at the start is given.
 [[nodiscard]] bool gives_means(const LengthChoices& fibers);
 /// The laws that follow lengths in bins: "phelps and durin".

@@ -53,6 +53,7 @@ void foretell(CaseEstimate& estimate, const std::function<double()>& trial, cons
   } catch (const SimulationFailure& error) {
     failure = error.what();
   } catch (const InputError& error) {
+    if (!error.problems().front().file.empty()) throw;  // no run can read that file either
     failure = error.what();
   }
   estimate.wall_seconds = std::numeric_limits<double>::quiet_NaN();

@@ -54,7 +54,7 @@ class Pace {
 struct TrialEnd {};
 
 /// Calls a trial, which gives the wall seconds of a run, for an estimate. Where the trial fails the run will,
-/// too: the seconds are then NaN, and the estimate says why.
+/// too: the seconds are then NaN, and the estimate says why. Raises InputError for a fault inside a file.
 void foretell(CaseEstimate& estimate, const std::function<double()>& trial, const std::string& assumption);
 
 /// The wall seconds that a frame and a row of a table take: a frame is on the disk before the run goes on.

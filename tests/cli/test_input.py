@@ -467,5 +467,5 @@ def test_the_resolved_case_reads_back_to_itself(tmp_path, case):
 def test_check_warns_of_keys_that_nothing_reads(tmp_path):
     (tmp_path / "case.toml").write_text(CASE + "[breakage]\nexponent = 3\n", encoding="utf-8")
     done = call("check", "case.toml", folder=tmp_path, expect=0)
-    assert done.stderr == ('warning: case.toml:20:12: breakage.exponent = 3: has no effect: only breakage.law = "probability" or '
-                           '"strength" reads it\n')
+    assert done.stderr == ('warning: case.toml:20:12: breakage.exponent = 3: has no effect: it is read by breakage.law = "probability" or '
+                           '"strength" only\n')

@@ -45,6 +45,13 @@ duration = "1000 s"
 [output]
 interval = "0.1 s"
 """
+MEASUREMENT = """study = "measurement"
+[lengths]
+file = "lengths.csv"
+unit = "um"
+[statistics]
+resamples = 1000000
+"""
 # What resuming does not bring back: the outcome of a process that was killed before it was written.
 OUTCOME_OF = {"cluster": ["summary.json", "result.vtkhdf"], "shear_cell": ["summary.json"]}
 
@@ -74,8 +81,9 @@ def test_a_kill_between_the_last_checkpoint_and_the_outcome_loses_no_outcome(tmp
     assert (tmp_path / "r" / "summary.json").read_bytes() == kept, "a whole outcome stays"
 
 
-@pytest.mark.parametrize("text", [ORIENTATION, ATTRITION], ids=["orientation", "attrition"])
+@pytest.mark.parametrize("text", [ORIENTATION, ATTRITION, MEASUREMENT], ids=["orientation", "attrition", "measurement"])
 def test_studies_without_checkpoints_stop_for_a_signal_and_begin_again(tmp_path, text):
+    (tmp_path / "lengths.csv").write_text("length\n" + "".join(f"{100 + k}\n" for k in range(1000)), encoding="utf-8")
     process = subprocess.Popen([PROGRAM, "run", write_case(tmp_path, text), "--out", tmp_path / "r"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     while not (tmp_path / "r" / "log.txt").exists():
         time.sleep(0.01)

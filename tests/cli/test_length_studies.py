@@ -194,3 +194,25 @@ def test_rows_and_histograms_stand_at_the_times_that_are_chosen(tmp_path):
     alone = CASES / "20_couette_length" / "case.toml"
     refused = run("check", alone, "--set", 'output.times=["1 h"]', expect=2)
     assert "comes after the end" in refused.stderr
+
+
+def test_a_file_of_lengths_that_cannot_be_read_is_the_only_fault(tmp_path):
+    (tmp_path / "numbers.txt").write_text("1e-3 1\n2e-3 x\n", encoding="utf-8")
+    (tmp_path / "case.toml").write_text("""study = "attrition"
+[law]
+name = "unbreakable_length"
+lambda = 0.1
+xi = 1e-3
+sigma_u = "2 GPa"
+d_f = "19 um"
+[melt]
+eta_0 = "200 Pa s"
+[flow]
+rate = "100 1/s"
+[fibers]
+distribution = "numbers.txt"
+[run]
+duration = "1 s"
+""", encoding="utf-8")
+    refused = run("check", tmp_path / "case.toml", expect=2)
+    assert len(refused.stderr.splitlines()) == 1 and "numbers.txt:2:6: 'x' is not a finite number" in refused.stderr

@@ -114,6 +114,19 @@ def test_little_memory_ends_with_a_sentence(tmp_path, text, megabytes):
     assert "itself" not in done.stderr
 
 
+def test_the_units_library_does_not_end_the_program_where_memory_ends(tmp_path):
+    case = write(tmp_path, LONE_FIBER)
+    least, enough = 0, 400 << 20
+    if limited(enough, "check", case).returncode != 0:
+        pytest.skip("no limit leaves room for a sanitizer's shadow memory")
+    while enough - least > 64 << 10:
+        middle = (least + enough) // 2
+        least, enough = (least, middle) if limited(middle, "check", case).returncode == 0 else (middle, enough)
+    for step in range(1, 17):
+        words = limited(enough - (step * 128 << 10), "check", case).stderr
+        assert "ut_scan" not in words and "UDUNITS" not in words, words
+
+
 def test_steps_that_would_never_end_are_refused(tmp_path):
     case = write(tmp_path, LONE_FIBER + '[step]\ncontrol = "fixed"\ninitial = 1e-300\n')
     failed = run("run", case, "--out", tmp_path / "r", expect=2)

@@ -152,6 +152,18 @@ def test_a_report_is_written(plaque):
     run("check", plaque / "case.resolved.toml")
 
 
+def test_tables_that_do_not_belong_to_the_case_are_refused_by_the_report(plaque, tmp_path):
+    folder = tmp_path / "r"
+    shutil.copytree(plaque, folder)
+    table = (folder / "places.csv").read_text(encoding="utf-8")
+    last = table.splitlines()[-1]
+    (folder / "places.csv").write_text(table + "99" + last[last.index(","):] + "\n", encoding="utf-8")
+    refused = run("report", folder, expect=3)
+    assert "places.csv: there is no place 99; the case has" in refused.stderr
+    (folder / "places.csv").write_text(table.splitlines()[0] + "\n", encoding="utf-8")
+    run("report", folder)
+
+
 @pytest.mark.parametrize("solver, element, nodes", [("abaqus", "S3", 3), ("calculix", "S6", 6)])
 def test_a_structural_solver_gets_the_plies_of_every_triangle(plaque, solver, element, nodes):
     run("export", plaque, "--format", solver)
@@ -582,6 +594,12 @@ def test_a_flipped_facet_is_turned_and_told(tmp_path):
     assert "1 of 64 triangles is turned to agree with the others" in mended.stderr
     assert "2 of 66 facets are given twice and left out" in mended.stderr
     assert without_pace(mended.stdout) == without_pace(sound.stdout)
+
+
+def test_a_fault_of_an_stl_file_has_its_line(tmp_path):
+    (tmp_path / "case.toml").write_text(STRIP, encoding="utf-8")
+    (tmp_path / "strip.stl").write_text(strip_stl().replace("VERTEX 2.5 2.5 0", "VERTEX 2.5 nan 0", 1), encoding="utf-8")
+    assert re.search(r"strip\.stl:6:\d+: 'nan': not a finite number", run("check", tmp_path / "case.toml", expect=2).stderr)
 
 
 def test_a_mesh_that_gmsh_crashes_on_is_refused_in_words(tmp_path):

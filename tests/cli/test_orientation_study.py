@@ -214,6 +214,33 @@ def test_the_steady_distribution_is_found_beside(tmp_path):
     assert "Steady orientation" in (folder / "report.html").read_text(encoding="utf-8")
 
 
+TUMBLING = """study = "orientation"
+[fibers]
+orientation = [[0.5, 0, 0], [0, 0.3, 0], [0, 0, 0.2]]
+aspect_ratio = 5
+[diffusion]
+name = "jeffery"
+[flow]
+rate = "1 1/s"
+[run]
+duration = "1e7 s"
+[output]
+interval = "1e7 s"
+"""
+
+
+def test_a_span_that_cannot_be_followed_is_told_with_the_keys_that_help(tmp_path):
+    refused = run("run", written(tmp_path, TUMBLING), "--out", tmp_path / "r", expect=3)
+    assert "cannot be followed from 0 s to 1e+07 s, 1e+07 units of strain, in 1000000 steps within the tolerance" in refused.stderr
+    assert "raise solution.tolerance or lower run.duration" in refused.stderr
+
+
+def test_a_start_that_the_harmonics_do_not_resolve_has_a_place(tmp_path):
+    case = written(tmp_path, TUMBLING.replace("[[0.5, 0, 0], [0, 0.3, 0], [0, 0, 0.2]]", "[[0.9, 0, 0], [0, 0.05, 0], [0, 0, 0.05]]"))
+    refused = run("check", case, "--set", "solution.distribution=yes", "--set", "solution.degree=8", expect=2)
+    assert "case.toml:3:15: fibers.orientation" in refused.stderr and "raise solution.degree" in refused.stderr
+
+
 def test_where_there_is_no_steady_state_the_run_says_why(tmp_path):
     case = written(tmp_path, IARD.format(c_m=0.5, kind="shear"))
     _, values = result_of(tmp_path, case, "--set", "diffusion.C_I=0", "--set", "solution.steady=yes",

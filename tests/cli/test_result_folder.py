@@ -36,6 +36,11 @@ def test_a_late_refusal_leaves_the_disk_as_it_was(tmp_path):
     assert not (tmp_path / "mine" / ".fiberfate").exists()
 
 
+def test_check_finds_what_would_be_refused_late(tmp_path):
+    refused = run("check", late_refusal(tmp_path), expect=2)
+    assert "fibers.csv:3:8: 'nothing' is not a finite number" in refused.stderr
+
+
 @pytest.mark.parametrize("name", ["histogram.csv", "log.txt", "series.csv", "summary.json", "report.html"])
 @pytest.mark.parametrize("words", [[], ["--overwrite"]])
 def test_files_that_the_program_did_not_make_are_never_replaced(tmp_path, name, words):

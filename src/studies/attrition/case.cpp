@@ -42,7 +42,7 @@ void validate_fibers(const AttritionCase& values, CaseChecker& checker) {
   const LengthChoices& fibers = values.fibers;
   const bool means = gives_means(fibers);
   const int given = (fibers.length ? 1 : 0) + (fibers.distribution.empty() ? 0 : 1) + (means ? 1 : 0);
-  if (given != 1)
+  if (given > 1 || (given == 0 && lengths_are_read(checker)))
     checker.error("fibers.length",
                   given == 0 ? "no lengths are given" : "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");

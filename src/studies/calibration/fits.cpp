@@ -3,6 +3,8 @@
 
 #include "results/summary.hpp"
 
+#include "base/error.hpp"
+
 namespace fiberfate {
 std::vector<FitName> fit_names(const CalibrationCase& values) {
   if (values.search.scope == FitScope::together) return {FitName{}};
@@ -21,6 +23,7 @@ std::vector<MeasuredSeries> series_of(const FitName& fit, const std::vector<Meas
 
 std::vector<double> pick(const CsvTable& table, double fit, double second, const std::string& column) {
   const std::vector<double>& values = table.column(column);
+  if (table.columns.size() < 2) throw StorageError("a table of fits lacks its second column");
   std::vector<double> picked;
   for (std::size_t i = 0; i < table.rows(); ++i)
     if (table.values[0][i] == fit && table.values[1][i] == second) picked.push_back(values[i]);

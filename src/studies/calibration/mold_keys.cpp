@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
 #include "keys/text_rows.hpp"
 #include "studies/calibration/case.hpp"
 #include "studies/calibration/mold_experiment.hpp"
@@ -180,6 +181,7 @@ CaseEstimate molded_estimate(const CalibrationCase& values, CaseEstimate estimat
   std::int64_t fillings = 0;
   for (std::size_t i = 0; i < values.conditions.names.size(); ++i) {
     const MoldingCase molding = molding_of(values, i);
+    const auto held = static_cast<double>(peak_memory_bytes());  // by the program, whatever the moldings take
     const CaseEstimate one = estimate_molding(molding);
     const bool coupled = molding.fibers.coupling != CouplingChoice::none;
     const std::int64_t count = coupled ? values.sweep.count : 1;
@@ -189,7 +191,7 @@ CaseEstimate molded_estimate(const CalibrationCase& values, CaseEstimate estimat
         fmt::format("{:.4g} mm at the gates, {}", 1e3 * inlet_length(values, i),
                     coupled ? "the flow feels the fibers" : "the flow does not feel the fibers"));
     estimate.wall_seconds += static_cast<double>(count) * one.wall_seconds;
-    estimate.memory_bytes += one.memory_bytes;
+    estimate.memory_bytes += one.memory_bytes - held;
     if (coupled) continue;
     // The kept steps of the one filling, and about a thousand times the lengths alone.
     const double points = static_cast<double>(molding.numerics.layers) / 2 *
@@ -198,6 +200,8 @@ CaseEstimate molded_estimate(const CalibrationCase& values, CaseEstimate estimat
     estimate.memory_bytes += kept_bytes * steps;
     estimate.wall_seconds += predictions * length_cost * steps;
   }
+  // A run holds no less than the trials did.
+  estimate.memory_bytes = std::max(estimate.memory_bytes, static_cast<double>(peak_memory_bytes()));
   estimate.facts.emplace_back("fillings", fmt::format("{}", fillings));
   estimate.assumption = "a few hundred predictions of each molding; profiles and bootstrap take more";
   return estimate;

@@ -148,7 +148,7 @@ void append_sweep(const CalibrationCase& values, const ResultFolder& folder, con
 void append_optima(const CalibrationCase& values, const ResultFolder& folder,
                    std::vector<ReportSection>& sections) {
   if (!std::filesystem::exists(folder.file("optimum.csv"))) return;
-  const CsvTable table = read_csv(folder.file("optimum.csv"));
+  const CsvTable table = read_numbered(folder.file("optimum.csv"), {"fit", fit_names(values).size()});
   sections.emplace_back(optimum_table(values, table));
   if (table.rows() > 1) sections.emplace_back(optimum_section(values, table));
 }

@@ -140,7 +140,9 @@ CaseEstimate estimate_measurement(const MeasurementCase& values) {
     estimate.facts.emplace_back("rows of directions", std::to_string(directions));
     rows += static_cast<double>(directions);
   }
-  estimate.memory_bytes = 1e7 + 100 * rows;
+  // Means of every sample, and a component of them sorted; lists grow by doubling.
+  const double means = (values.lengths.file.empty() ? 0 : 40) + (values.orientation.file.empty() ? 0 : 104);
+  estimate.memory_bytes = 1e7 + 100 * rows + means * static_cast<double>(values.statistics.resamples);
   foretell(
       estimate, [&] { return expected_seconds(values, rows); }, "from a trial with fewer bootstrap samples");
   return estimate;

@@ -56,7 +56,7 @@ TableSection lengths_table(const SummaryFile& summary) {
 }
 
 HistogramSection lengths_histogram(const ResultFolder& folder, bool corrected) {
-  const CsvTable table = read_csv(folder.file("histogram.csv"));
+  const CsvTable table = read_rows(folder.file("histogram.csv"));
   HistogramSection section{"histogram", "Fibers by length", {"length", "m"}, {"share of the fibers", "%"}, {},
                            {}};
   section.edges = table.column("length_low_m");
@@ -85,17 +85,19 @@ TableSection orientation_table(const SummaryFile& summary) {
 }
 
 HeatmapSection pole_figure(const ResultFolder& folder) {
-  const CsvTable table = read_csv(folder.file("directions.csv"));
+  const CsvTable table = read_rows(folder.file("directions.csv"));
   HeatmapSection section{"directions", "Where fibers point",   {"phi", "°"}, {"cos theta"}, {}, {},
                          {},           "density over the mean"};
+  const std::vector<double>&azimuths = table.column("phi_deg"), &heights = table.column("cos_theta"),
+        &densities = table.column("density");
   for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double azimuth = table.values[0][k], height = table.values[1][k];
+    const double azimuth = azimuths[k], height = heights[k];
     if (section.y_values.empty() || height != section.y_values.back()) {
       section.y_values.push_back(height);
       section.values.emplace_back();
     }
     if (section.values.size() == 1) section.x_values.push_back(azimuth);
-    section.values.back().push_back(table.values[2][k]);
+    section.values.back().push_back(densities[k]);
   }
   section.caption =
       "theta from axis 3, phi from axis 1 towards axis 2; bins of equal solid angle, 1 is isotropic.";

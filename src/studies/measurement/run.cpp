@@ -26,6 +26,12 @@ std::vector<double> histogram_edges(const MeasuredLengthChoices& choices, const 
   return edges;
 }
 
+/// Draws samples until the run is stopped.
+Resampling resampling(const StatisticsChoices& choices, const Session& session) {
+  return {choices.level, static_cast<int>(choices.resamples), static_cast<std::uint64_t>(choices.seed),
+          [&session] { session.end_if_stopped("stopped; resuming begins again"); }};
+}
+
 void append_interval(RunSummary& summary, const std::string& name, const Interval& interval) {
   summary.own.emplace_back(name + "_lower_m", interval.lower);
   summary.own.emplace_back(name + "_upper_m", interval.upper);
@@ -61,9 +67,7 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome, Session& 
   const MeasuredLengths fibers = values.lengths.sample_diameter
                                      ? corrected_for_sampling(measured, *values.lengths.sample_diameter)
                                      : measured;
-  const LengthIntervals intervals =
-      bootstrap_mean_lengths(fibers, values.statistics.level, static_cast<int>(values.statistics.resamples),
-                             static_cast<std::uint64_t>(values.statistics.seed));
+  const LengthIntervals intervals = bootstrap_mean_lengths(fibers, resampling(values.statistics, session));
   summary.number_average = intervals.number_average.estimate;
   summary.weight_average = intervals.weight_average.estimate;
   summary.own.emplace_back("measured_lengths", static_cast<std::int64_t>(measured.lengths.size()));
@@ -109,8 +113,7 @@ void evaluate_directions(const MeasurementCase& values, Outcome& outcome, Sessio
   const MeasuredDirections& fibers = list.fibers;
   if (const std::string text = list.left_out.text(); !text.empty()) session.recorder().note(text);
   const OrientationInterval interval =
-      bootstrap_second_moment(fibers, values.statistics.level, static_cast<int>(values.statistics.resamples),
-                              static_cast<std::uint64_t>(values.statistics.seed));
+      bootstrap_second_moment(fibers, resampling(values.statistics, session));
   summary.orientation = interval.estimate;
   summary.own.emplace_back("measured_directions", static_cast<std::int64_t>(fibers.directions.size()));
   summary.own.emplace_back("A2_lower", interval.lower);

@@ -71,7 +71,8 @@ void validate_lengths(const MoldingCase& values, CaseChecker& checker) {
   if (given > 1)
     checker.error("fibers.length", "lengths are given in more than one way",
                   "give length, or distribution, or number_average and weight_average");
-  if (given == 0 && (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
+  if (given == 0 && lengths_are_read(checker) &&
+      (!values.law.name.empty() || fibers.coupling != CouplingChoice::none))
     checker.error("fibers.length", "no lengths are given, but a law of length or the coupling needs them",
                   "give length, or distribution, or number_average and weight_average");
   if (means && !(fibers.number_average && fibers.weight_average))
@@ -145,35 +146,28 @@ void validate_coordinates(const MoldingCase& values, CaseChecker& checker) {
   check("output.places", values.output.places);
 }
 
-/// What a fault of the solver's parameters belongs to: a key of the case, and the row of it that
-/// begins with a name.
-struct FaultPlace {
-  std::string key;
-  std::string row;
-};
-
-/// Finds the place of a fault of one gate, "gate G1.position"; a part's own gate has no row.
-FaultPlace place_at_gate(const std::string& fault) {
-  constexpr std::pair<std::string_view, const char*> keys[] = {
-      {".events", "gates.valves"},
-      {".resistance", "gates.resistance"},
-      {".radius", "gates.radius"},
-      {".position", "gates.places"},
-      {".inlet.orientation", "gates.inlet_orientations"},
-      {".inlet.lengths", "gates.inlet_lengths"},
-      {".inlet.numbers", "gates.inlet_numbers"}};
-  const std::string named = fault.substr(std::string_view("gate ").size());
-  for (const auto& [what, key] : keys)
-    if (named.ends_with(what)) return {key, named.substr(0, named.size() - what.size())};
-  return {"gates.places", ""};
+/// Whether a fault is of one gate or sensor; its value is then the name with which a row of the key begins.
+bool is_of_row(const InputProblem& problem) {
+  return (problem.key.starts_with("gates.") || problem.key.starts_with("sensors.")) && !problem.value.empty();
 }
 
-/// Finds the place in the case of a fault of the solver's parameters.
-FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
+/// Finds the key of such a fault; those of [gates] are named alike.
+std::string key_of_row(const std::string& fault) {
+  constexpr std::pair<std::string_view, const char*> keys[] = {
+      {"gates.events", "gates.valves"},
+      {"gates.position", "gates.places"},
+      {"gates.inlet.orientation", "gates.inlet_orientations"},
+      {"gates.inlet.lengths", "gates.inlet_lengths"},
+      {"gates.inlet.numbers", "gates.inlet_numbers"},
+      {"sensors.position", "gates.sensors"}};
+  const auto found = std::ranges::find(keys, fault, &std::pair<std::string_view, const char*>::first);
+  return found == std::end(keys) ? fault : found->second;
+}
+
+/// Finds the key in the case of a fault of the solver's parameters.
+std::string key_of(const InputProblem& problem, const MoldingCase& values) {
   const std::string& fault = problem.key;
-  if (fault.starts_with("gates.")) return {fault, problem.value};
-  if (fault.starts_with("sensor ")) return {"gates.sensors", fault.substr(7, fault.rfind('.') - 7)};
-  if (fault.starts_with("gate ")) return place_at_gate(fault);
+  if (is_of_row(problem)) return key_of_row(fault);
   const std::vector<FlowKey> flows = flow_keys(values.machine);
   const bool meshed = values.part.kind != PartKind::file;
   // The first that the fault begins with.
@@ -194,8 +188,7 @@ FaultPlace place_of(const InputProblem& problem, const MoldingCase& values) {
       {"length", "fibers.length"},
       {"mesh", meshed ? "part.mesh_size" : "part.file"},
       {"", meshed ? "part.kind" : "part.file"}};
-  return {std::ranges::find_if(keys, [&](const auto& one) { return fault.starts_with(one.first); })->second,
-          ""};
+  return std::ranges::find_if(keys, [&](const auto& one) { return fault.starts_with(one.first); })->second;
 }
 
 /// Warns of a mesh that costs more than a little accuracy.
@@ -236,15 +229,21 @@ void validate_filling(const MoldingCase& values, CaseChecker& checker) {
     }
   } catch (const InputError& error) {
     for (const InputProblem& problem : error.problems()) {
-      const FaultPlace place = place_of(problem, values);
-      if (!place.row.empty()) {
-        checker.error_in_row(place.key, place.row, problem.complaint, problem.remedy);
+      const std::string key = key_of(problem, values);
+      if (problem.line > 0) {  // of a file that the key names
+        InputProblem there = problem;
+        const std::string remedy = std::exchange(there.remedy, {});
+        checker.error(key, there.message(), remedy);
+        continue;
+      }
+      if (is_of_row(problem)) {
+        checker.error_in_row(key, problem.value, problem.complaint, problem.remedy);
         continue;
       }
       std::string subject;
-      if (place.key != problem.key && !problem.key.empty())
+      if (key != problem.key && !problem.key.empty())
         subject = problem.key + (problem.value.empty() ? "" : " = " + problem.value) + ": ";
-      checker.error(place.key, subject + problem.complaint, problem.remedy);
+      checker.error(key, subject + problem.complaint, problem.remedy);
     }
   }
 }
@@ -300,9 +299,9 @@ double filling_bytes(const MoldingSetup& setup) {
 }
 
 CaseEstimate estimate_molding(const MoldingCase& values) {
-  const double begin = wall_seconds();  // parts are meshed in another process
   const MoldingSetup setup = molding_setup(values);
-  const double meshing = wall_seconds() - begin;
+  // A file is read for the checks and for the filling.
+  const double meshing = setup.part.meshing_s * (values.part.kind == PartKind::file ? 2 : 1);
   const ShellMesh mesh(setup.part.shell);
   Vec3 low = setup.part.shell.nodes.front(), high = low;
   for (const Vec3& node : setup.part.shell.nodes) {
@@ -326,7 +325,7 @@ CaseEstimate estimate_molding(const MoldingCase& values) {
   estimate.memory_bytes = filling_bytes(setup);
   const double outputs = seconds_a_frame * static_cast<double>(values.output.frames);
   foretell(
-      estimate, [&] { return 2 * meshing + outputs + expected_seconds(values, setup, mesh); },
+      estimate, [&] { return meshing + outputs + expected_seconds(values, setup, mesh); },
       "from a trial of its first steps");
   return estimate;
 }

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
+#include <mutex>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/timer.hpp"
 #include "io/patch_mesher.hpp"
 #include "io/surface_file.hpp"
 #include "studies/molding/element_thickness.hpp"
@@ -101,6 +104,28 @@ MoldingPart placed(const PartShape& shape) {
   return part;
 }
 
+struct MeshedDrawing {
+  PatchedSurface drawing;
+  SurfaceMesh mesh;
+  double seconds = 0;
+};
+
+/// Meshes a drawing, or gives the mesh that one of the last drawings got: a case is checked, estimated and
+/// run with one part, and several cases of a calibration share it.
+MeshedDrawing meshed(const PatchedSurface& drawing) {
+  constexpr std::size_t most_kept = 8;
+  static std::mutex one_at_a_time;
+  static std::deque<MeshedDrawing> kept;
+  const std::scoped_lock lock(one_at_a_time);
+  const auto found = std::ranges::find(kept, drawing, &MeshedDrawing::drawing);
+  if (found != kept.end()) return *found;
+  const double begin = wall_seconds();  // it is meshed in another process
+  SurfaceMesh mesh = mesh_patches(drawing);
+  kept.push_back({drawing, std::move(mesh), wall_seconds() - begin});
+  if (kept.size() > most_kept) kept.pop_front();
+  return kept.back();
+}
+
 }  // namespace
 
 void validate_part(const PartChoices& part, CaseChecker& checker) {
@@ -149,13 +174,17 @@ MoldingPart make_part(const PartChoices& part) {
   MoldingPart made;
   SurfaceMesh mesh;
   if (part.kind == PartKind::file) {
+    const double begin = wall_seconds();
     mesh = read_surface(part.file, part.file_unit);
+    made.meshing_s = wall_seconds() - begin;
     made.remarks = mesh.remarks;
     made.shell.nodes = mesh.points;
   } else {
     const PartShape shape = draw_part(part);
     made = placed(shape);
-    mesh = mesh_patches(shape.surface);
+    MeshedDrawing drawn = meshed(shape.surface);
+    mesh = std::move(drawn.mesh);
+    made.meshing_s = drawn.seconds;
     for (const Vec3& point : mesh.points) made.shell.nodes.push_back(shape.place(point));
   }
   made.shell.triangles = mesh.triangles;

@@ -34,12 +34,14 @@ struct MoldingPart {
   std::vector<std::string> regions;
   std::vector<Gate> gates;           ///< those that belong to the part
   std::vector<std::string> remarks;  ///< what was mended when its file was read
+  double meshing_s = 0;              ///< wall seconds that meshing it or reading its file took
   /// Puts a point of the flat part (x, y; m) onto the surface; empty for parts from files.
   std::function<Vec3(const Vec2&)> place;
 };
 
-/// Reads or meshes the part of a valid case. Raises InputError as read_surface, mesh_patches and check_shell,
-/// for a region that the part does not have, and as element_thickness.
+/// Reads or meshes the part of a valid case; what is drawn alike is meshed once. Raises InputError as
+/// read_surface, mesh_patches and check_shell, for a region that the part does not have, and as
+/// element_thickness.
 [[nodiscard]] MoldingPart make_part(const PartChoices& part);
 
 /// Makes all of a part but its mesh: gates and places.

@@ -89,17 +89,21 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
 
 void add_tables(const MoldingCase& values, const ResultFolder& folder, const SummaryFile& summary,
                 std::vector<ReportSection>& sections) {
-  const auto table = [&folder](const char* name) -> std::optional<CsvTable> {
-    if (!std::filesystem::exists(folder.file(name))) return std::nullopt;
-    return read_csv(folder.file(name));
+  const auto is_there = [&folder](const char* name) { return std::filesystem::exists(folder.file(name)); };
+  const auto table = [&](const char* name) {
+    return is_there(name) ? read_csv(folder.file(name)) : CsvTable{};
   };
-  if (const auto places = table("places.csv")) sections.emplace_back(places_section(values, *places));
-  if (const auto profiles = table("profiles.csv")) append(sections, profile_sections(values, *profiles));
-  if (const auto histogram = table("histogram.csv"))
-    sections.emplace_back(molding_histogram(values, *histogram));
-  if (const auto sweep = table("sweep.csv")) {
-    sections.emplace_back(sweep_section(values, *sweep));
-    sections.emplace_back(measured_section(values, *table("places.csv"), summary));
+  CsvTable places;
+  if (is_there("places.csv"))
+    places = read_numbered(folder.file("places.csv"), {"place", values.output.places.size()});
+  if (places.rows() > 0) sections.emplace_back(places_section(values, places));
+  if (const CsvTable profiles = table("profiles.csv"); profiles.rows() > 0)
+    append(sections, profile_sections(values, profiles));
+  if (const CsvTable histogram = table("histogram.csv"); histogram.rows() > 0)
+    sections.emplace_back(molding_histogram(values, histogram));
+  if (const CsvTable sweep = table("sweep.csv"); sweep.rows() > 0) {
+    sections.emplace_back(sweep_section(values, sweep));
+    if (places.rows() > 0) sections.emplace_back(measured_section(values, places, summary));
   }
 }
 

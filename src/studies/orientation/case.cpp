@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "continuum/anisotropic_stress.hpp"
+#include "continuum/fokker_planck.hpp"
 #include "continuum/orientation_registry.hpp"
 #include "keys/time_rows.hpp"
 #include "microstructure/closure.hpp"
@@ -140,6 +142,18 @@ void warn_of_doubts(const OrientationCase& values, CaseChecker& checker) {
   }
 }
 
+/// The harmonics of the chosen degree have to resolve the start.
+void validate_start_of_distribution(const OrientationCase& values, CaseChecker& checker) {
+  if (values.solution.distribution == DistributionChoice::no) return;
+  try {
+    const FokkerPlanck equation({}, static_cast<int>(values.solution.degree));
+    static_cast<void>(equation.with_second_moment(values.fibers.orientation));
+  } catch (const InputError& error) {
+    checker.error("fibers.orientation", error.problems().front().complaint,
+                  "raise solution.degree, or begin less aligned");
+  }
+}
+
 }  // namespace
 
 const LawMenu& diffusion_menu() {
@@ -173,6 +187,7 @@ void validate_orientation(const OrientationCase& values, CaseChecker& checker) {
     checker.warn_unused({"solution.degree"}, "solution.distribution = \"yes\"");
   }
   if (!checker.is_sound()) return;
+  validate_start_of_distribution(values, checker);
   if (values.solution.steady == SteadyChoice::yes &&
       !(gradient_history(values.flow).at(values.run.duration).shear_rate() > 0))
     checker.error("solution.steady", "nothing deforms at the end of the run: every orientation stays",

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/error.hpp"
 #include "base/memory.hpp"
 #include "continuum/anisotropic_stress.hpp"
 #include "continuum/fokker_planck.hpp"
@@ -20,6 +21,16 @@
 namespace fiberfate {
 namespace {
 
+/// Adds to a failure which keys help.
+template <class Work>
+void with_remedy(const char* remedy, const Work& work) {
+  try {
+    work();
+  } catch (const SimulationFailure& failure) {
+    throw SimulationFailure(fmt::format("{}: {}", failure.what(), remedy), {});
+  }
+}
+
 /// Follows the distribution function from output to output.
 class DistributionFollower {
  public:
@@ -33,7 +44,9 @@ class DistributionFollower {
   [[nodiscard]] Mat3 advance_to(double time) {
     while (time_ < time) {
       const double end = std::min(time, history_.next_change(time_));
-      equation_.advance(psi_, history_.at(time_).gradient, end - time_, tolerance_);
+      const Mat3 gradient = history_.at(time_).gradient;
+      if (!flow_ || flow_->gradient != gradient) flow_ = equation_.in_flow(gradient);
+      equation_.advance(psi_, *flow_, end - time_, tolerance_);
       time_ = end;
     }
     return equation_.second_moment(psi_);
@@ -44,6 +57,7 @@ class DistributionFollower {
  private:
   FokkerPlanck equation_;
   FlowHistory history_;
+  std::optional<FokkerPlanck::InFlow> flow_;
   IntegrationTolerance tolerance_;
   Eigen::VectorXd psi_;
   double time_ = 0;
@@ -65,13 +79,15 @@ class OrientationRun {
     for (double at = time_; at < time; at = std::min(time, history_.next_change(at)))
       strain_ += history_.at(at).shear_rate() * (std::min(time, history_.next_change(at)) - at);
     time_ = time;
-    integrator_.advance_to(time);
+    with_remedy("raise solution.tolerance or lower run.duration", [&] { integrator_.advance_to(time); });
     const Flow flow = history_.at(time);
     OrientationMoment now{time, strain_, flow.shear_rate(), integrator_.state().second};
     const Mat6 fourth = close(now.second, model_.closure);
     now.principal = eigenframe(now.second).values;
     now.stretching_share = stretching_share(flow.rate_of_strain(), fourth);
-    if (distribution_) now.exact = distribution_->advance_to(time);
+    if (distribution_)
+      with_remedy("raise solution.degree or solution.tolerance",
+                  [&] { now.exact = distribution_->advance_to(time); });
     if (stress_) now.stress = stress_->at(flow, fourth);
     return now;
   }

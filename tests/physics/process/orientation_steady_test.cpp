@@ -131,6 +131,18 @@ std::string failure_of(const OrientationModel& model, const Mat3& gradient) {
   return "";
 }
 
+/// IBOF has a stable state in shear without diffusion, which no fibers have: they align for ever.
+TEST(SteadyOrientation, WithoutDiffusionIsOnlyWhereAFlowAligns) {
+  OrientationModel model =
+      model_with(rotary_diffusion_named("jeffery"), retardation_named("none"), closure_named("ibof"));
+  model.constants.xi = 1;
+  EXPECT_NE(failure_of(model, simple_shear_gradient()).find("stands by the error of the closure ibof"),
+            std::string::npos)
+      << failure_of(model, simple_shear_gradient());
+  model.closure = closure_named("quadratic");  // exact for aligned fibers
+  EXPECT_NEAR(steady_orientation(model, uniaxial_elongation_gradient()).second(0, 0), 1, 1e-6);
+}
+
 TEST(SteadyOrientation, IsRefusedInWordsWhereThereIsNone) {
   OrientationModel model =
       model_with(rotary_diffusion_named("folgar_tucker"), retardation_named("rsc"), closure_named("ibof"));
@@ -140,7 +152,6 @@ TEST(SteadyOrientation, IsRefusedInWordsWhereThereIsNone) {
   EXPECT_NE(failure_of(model, spin).find("nothing deforms"), std::string::npos);
   model.constants.kappa = 0;
   EXPECT_NE(failure_of(model, simple_shear_gradient()).find("holds the principal values"), std::string::npos);
-  // IBOF itself has a state at A11 = 0.9993 to which it leads; with the hybrid closure fibers align for ever.
   const OrientationModel jeffery =
       model_with(rotary_diffusion_named("jeffery"), retardation_named("none"), closure_named("hybrid"));
   EXPECT_NE(failure_of(jeffery, simple_shear_gradient()).find("no steady orientation"), std::string::npos)

@@ -274,8 +274,8 @@ TEST(ShearCell, WarnsOfKeysThatNothingReads) {
       parse_case(smallest_case, "c.toml", case_kinds(), {"breakage.critical_radius=200 um"});
   ASSERT_EQ(loaded.warnings.size(), 1u);
   EXPECT_EQ(loaded.warnings[0],
-            "command line: breakage.critical_radius = \"200 um\": has no effect: only breakage.law "
-            "= \"fixed\" reads it");
+            "command line: breakage.critical_radius = \"200 um\": has no effect: it is read by "
+            "breakage.law = \"fixed\" only");
 }
 
 }  // namespace

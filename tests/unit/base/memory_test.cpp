@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <new>
+
 #include "base/error.hpp"
 
 namespace fiberfate {
@@ -25,6 +27,11 @@ TEST(FreeMemory, HeedsTheLimitOfTheProcess) {
   setrlimit(RLIMIT_AS, &before);
   EXPECT_LE(free, more);
   EXPECT_GT(free, 0.5 * more);
+}
+
+TEST(RequireRoom, TellsWhatALibraryCouldNotHave) {
+  EXPECT_NO_THROW(require_room(1 << 20));
+  EXPECT_THROW(require_room(std::size_t{1} << 60), std::bad_alloc);
 }
 
 TEST(RequireMemory, RefusesInWords) {

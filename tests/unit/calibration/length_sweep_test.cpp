@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "base/error.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -60,6 +62,23 @@ TEST(LengthSweep, TellsHowWellTheValueIsKnown) {
   EXPECT_NEAR(outcome.least_squares_error, std::sqrt(2.0) * error, 0.02 * error);
   EXPECT_NEAR(outcome.standard_error, outcome.least_squares_error / (std::sqrt(2.0) * std::abs(slope)),
               0.02 * outcome.standard_error);
+}
+
+TEST(LengthSweep, RefusesWhatCannotBeSwept) {
+  const SweptLength one = swept_length(600, {0});
+  const std::vector<double> values = swept_values();
+  SweptLength unmeasured = one, shorter = one, negative = one;
+  unmeasured.measured.clear();
+  shorter.predicted.pop_back();
+  negative.predicted[3] = -1e-3;
+  const auto refused = [](const std::vector<double>& some, const std::vector<SweptLength>& lengths) {
+    EXPECT_THROW(static_cast<void>(evaluate_sweep(some, lengths)), InputError);
+  };
+  refused({}, {});
+  refused({values[0], values[1]}, {one});
+  refused({values.rbegin(), values.rend()}, {one});
+  refused(values, {});
+  for (const SweptLength& wrong : {unmeasured, shorter, negative}) refused(values, {one, wrong});
 }
 
 }  // namespace

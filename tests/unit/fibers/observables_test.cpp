@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/constants.hpp"
+#include "base/error.hpp"
 #include "unit/fibers/sample_fibers.hpp"
 
 namespace fiberfate {
@@ -69,6 +70,15 @@ TEST(LengthHistogram, CountsOrSumsWithTheLastBinClosed) {
   const std::vector<double> sums = length_histogram(state, edges, Weighting::length);
   EXPECT_DOUBLE_EQ(sums[0], 1e-4);
   EXPECT_DOUBLE_EQ(sums[1], 6.5e-4);
+}
+
+TEST(LengthHistogram, RefusesEdgesThatMakeNoBins) {
+  for (const std::vector<double>& edges : {std::vector<double>{},
+                                           {1e-3},
+                                           {1e-3, 0},
+                                           {0, 0},
+                                           {0, std::numeric_limits<double>::quiet_NaN(), 1e-3}})
+    EXPECT_THROW(static_cast<void>(length_histogram(empty_state(), edges, Weighting::number)), InputError);
 }
 
 TEST(HingeRadii, AreThoseOfTheCircleThroughTheNodes) {

@@ -58,8 +58,8 @@ TEST(ImpossibleLengths, AreRefused) {
   const MeasuredLengths fibers = {{1e-3, 2e-3}, {}};
   EXPECT_THROW(static_cast<void>(length_shares(fibers, {0, nan_value, 1})), InputError);
   EXPECT_THROW(static_cast<void>(even_edges(fibers, 0)), InputError);
-  EXPECT_THROW(static_cast<void>(bootstrap_mean_lengths(fibers, 1.5, 10, 1)), InputError);
-  EXPECT_THROW(static_cast<void>(bootstrap_mean_lengths(fibers, 0.95, 0, 1)), InputError);
+  EXPECT_THROW(static_cast<void>(bootstrap_mean_lengths(fibers, {1.5, 10, 1})), InputError);
+  EXPECT_THROW(static_cast<void>(bootstrap_mean_lengths(fibers, {0.95, 0, 1})), InputError);
   EXPECT_THROW(static_cast<void>(percentile_interval(1, {}, 0.95)), InputError);
 }
 

@@ -80,7 +80,7 @@ TEST(LengthStatistics, BootstrapIntervalsHoldAsOftenAsTheySay) {
       list.lengths.push_back(
           -std::log(uniform(2, RandomStream::noise, {i, static_cast<std::uint32_t>(repetition)})));
     const LengthIntervals intervals =
-        bootstrap_mean_lengths(list, 0.95, 200, static_cast<std::uint64_t>(repetition));
+        bootstrap_mean_lengths(list, {0.95, 200, static_cast<std::uint64_t>(repetition)});
     EXPECT_LT(intervals.number_average.lower, intervals.number_average.estimate);
     held += intervals.number_average.lower < 1 && 1 < intervals.number_average.upper;
   }
@@ -123,14 +123,14 @@ TEST(OrientationStatistics, BootstrapIntervalsEncloseTheEstimateAndRepeat) {
     const auto u = uniform4(3, RandomStream::noise, {i});
     list.directions.push_back(direction_of(std::acos(2 * u[0] - 1), 2 * pi * u[1]));
   }
-  const OrientationInterval interval = bootstrap_second_moment(list, 0.95, 200, 7);
+  const OrientationInterval interval = bootstrap_second_moment(list, {0.95, 200, 7});
   for (int i = 0; i < 3; ++i) {
     EXPECT_LT(interval.lower(i, i), 1.0 / 3);
     EXPECT_GT(interval.upper(i, i), 1.0 / 3);
     // Standard deviation of <p_i²> of n isotropic fibers: sqrt(4/45/n) = 0.0172.
     EXPECT_NEAR(interval.upper(i, i) - interval.lower(i, i), 2 * 1.96 * 0.0172, 0.015);
   }
-  EXPECT_EQ(bootstrap_second_moment(list, 0.95, 200, 7).lower, interval.lower);
+  EXPECT_EQ(bootstrap_second_moment(list, {0.95, 200, 7}).lower, interval.lower);
 }
 
 }  // namespace

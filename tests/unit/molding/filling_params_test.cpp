@@ -50,7 +50,7 @@ TEST(FillingParamsChecks, FaultsAreListedTogether) {
   params.numerics.layers = 7;
   EXPECT_EQ(complaint(params),
             "material.density = -1: it is not positive: give a number above zero\n"
-            "gate gate.position: it lies 100 mm off the part: move it onto the middle "
+            "gates.position = gate: it lies 100 mm off the part: move it onto the middle "
             "surface of the part\n"
             "numerics.layers = 7: so many layers cannot be computed: take an even number from 4 to 128");
 }
@@ -98,10 +98,10 @@ TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {
   };
   using enum TriggerKind;
   EXPECT_EQ(told({{{filled_fraction, 0.2}, {time, 1}}, {{arrival, 0, 0}, {filled_fraction, 0.5}}}), "");
-  EXPECT_EQ(
-      told({{{start}, {filled_fraction, 0.5}}, {{filled_fraction, 0.5}}}),
-      "gate valve.events: event 3, filled 0.5, does not come after event 2, filled 0.5: sort the events: "
-      "opens, closes, opens again, ...");
+  EXPECT_EQ(told({{{start}, {filled_fraction, 0.5}}, {{filled_fraction, 0.5}}}),
+            "gates.events = valve: event 3, filled 0.5, does not come after event 2, filled 0.5: sort the "
+            "events: "
+            "opens, closes, opens again, ...");
   EXPECT_NE(told({{{start}, {time, 0}}}).find("time 0 s, does not come after event 1, start"),
             std::string::npos);
   EXPECT_NE(told({{{arrival, 0.1, 0}, {arrival, 0.1, 0}}}).find("arrival at S1 0.1 s, does not come after"),
@@ -115,7 +115,7 @@ TEST(FillingParamsChecks, EventsOfAGateMustFollowEachOther) {
 TEST(FillingParamsChecks, SensorsLieOnThePart) {
   FillingParams params = sound();
   params.sensors = {{"S1", {0.5, 0.5, 0.01}}};
-  EXPECT_NE(complaint(params).find("sensor S1.position: it lies 10 mm off the part"), std::string::npos);
+  EXPECT_NE(complaint(params).find("sensors.position = S1: it lies 10 mm off the part"), std::string::npos);
 }
 
 TEST(FillingParamsChecks, FibersMustFitTheirClasses) {

@@ -40,6 +40,22 @@ TEST(MoldingPart, HasTheVolumeOfItsDrawing) {
   EXPECT_NEAR(volume(ribbed), 0.1 * 0.04 * 2e-3 + 2 * 0.08 * 0.01 * 1e-3, 1e-18);
 }
 
+/// The time that the mesh took would differ.
+TEST(MoldingPart, IsMeshedOnce) {
+  const MoldingPart first = make_part(plaque());
+  PartChoices wider = plaque();
+  wider.width = 0.05;
+  const double other = make_part(wider).meshing_s;
+  PartChoices thicker = plaque();
+  thicker.thickness = 3e-3;
+  const MoldingPart second = make_part(thicker);
+  EXPECT_GT(first.meshing_s, 0);
+  EXPECT_EQ(first.meshing_s, second.meshing_s);
+  EXPECT_NE(first.meshing_s, other);
+  EXPECT_EQ(first.shell.nodes, second.shell.nodes);
+  EXPECT_EQ(second.shell.thickness.front(), 3e-3);
+}
+
 TEST(MoldingPart, OfADiscIsAPolygon) {
   PartChoices disc = plaque();
   disc.kind = PartKind::disc;
