@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/matrix_product.hpp"
 #include "base/threads.hpp"
 #include "fibers/closest_points.hpp"
 
@@ -66,9 +67,9 @@ void move_fibers(FiberState& state, const Flow& flow, double step,
   const Mat3 affine = flow_map(flow, step);
   parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
     for (const NodeIndex node : state.nodes(fiber)) {
-      const Vec3 displacement =
-          step * (relative_velocity[node] + 0.5 * step * (flow.gradient * state.relative_velocity[node]));
-      state.position[node] = affine * state.position[node] + displacement;
+      const Vec3 turned = product(flow.gradient, state.relative_velocity[node]);
+      const Vec3 displacement = step * (relative_velocity[node] + 0.5 * step * turned);
+      state.position[node] = product(affine, state.position[node]) + displacement;
       state.relative_velocity[node] = relative_velocity[node];
       const double distance = displacement.norm();
       travelled[rod_after(node)] = distance;

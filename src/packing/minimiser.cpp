@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/matrix_product.hpp"
 #include "base/threads.hpp"
 
 namespace fiberfate {
@@ -119,7 +120,7 @@ void Minimiser::load(FiberIndex fiber, FiberSums& sums) {
   for (const NodeIndex k : chains_.nodes(fiber)) chains_.force[k].setZero();
   for (const RodIndex rod : chains_.rods(fiber)) {
     const RepulsionLoad& load = loads_[neighbours_.slot(rod)];
-    const Vec3 turn = couple * chains_.axis(rod);
+    const Vec3 turn = product(couple, chains_.axis(rod));
     chains_.force[first_end(rod)] += Vec3(load.on_begin) + turn;
     chains_.force[second_end(rod)] += Vec3(load.on_end) - turn;
     sums.overlap = std::max(sums.overlap, load.largest_overlap);
