@@ -62,7 +62,7 @@ void check_options(const Study& study, const SessionOptions& options) {
 }
 
 int run_study(const LoadedCase& loaded, const RunOptions& options, OwnedFolder folder, Begin begin) {
-  const SignalWatch watch;
+  watch_for_signals();
   Progress progress(options.progress);
   FolderRecorder recorder(folder);
   SessionCalls calls;

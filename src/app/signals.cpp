@@ -2,7 +2,6 @@
 #include "app/signals.hpp"
 
 #include <csignal>
-#include <initializer_list>
 
 namespace fiberfate {
 namespace {
@@ -16,14 +15,9 @@ void take_note(int number) {
 
 }  // namespace
 
-SignalWatch::SignalWatch() {
-  requested = 0;
+void watch_for_signals() {
   std::signal(SIGTERM, take_note);
   std::signal(SIGINT, take_note);
-}
-
-SignalWatch::~SignalWatch() {
-  for (const int number : {SIGTERM, SIGINT}) std::signal(number, SIG_DFL);
 }
 
 bool stop_requested() {

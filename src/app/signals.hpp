@@ -3,17 +3,11 @@
 
 namespace fiberfate {
 
-/// While it lives, SIGTERM and SIGINT only leave a note that stop_requested() tells; a second one ends the
-/// program at once.
-class SignalWatch {
- public:
-  SignalWatch();
-  ~SignalWatch();
-  SignalWatch(const SignalWatch&) = delete;
-  SignalWatch& operator=(const SignalWatch&) = delete;
-};
+/// From now on SIGTERM and SIGINT only leave a note that stop_requested() tells; a second one of a kind ends
+/// the program at once. One that comes when the last run is over changes nothing.
+void watch_for_signals();
 
-/// Whether a signal has asked the run to stop.
+/// Whether a signal has asked the program to stop.
 [[nodiscard]] bool stop_requested();
 
 }  // namespace fiberfate

@@ -117,7 +117,7 @@ class Trial:
 
     def interrupt(self, command, kind):
         """Starts the command and interrupts it; tells its status."""
-        begin = time.monotonic()
+        begin, log = time.monotonic(), self.log()
         if kind == "SIGKILL in a call":
             call = self.chance.choice(sorted(self.whole.calls))
             turn = self.chance.randrange(1, self.whole.calls[call] + 1)
@@ -136,14 +136,20 @@ class Trial:
             where = self.share(begin)
         if process.returncode in (-signal.SIGKILL, STOPPED):
             self.story.kills.append((kind, where))
-        self.judge(process.returncode, kind, complaint)
+        self.judge(process.returncode, kind, complaint, has_begun=self.log() != log)
         return process.returncode
 
-    def judge(self, status, kind, complaint):
+    def log(self):
+        """What the program has written to its log: a line as soon as it has taken the folder."""
+        try:
+            return (self.result / "log.txt").read_bytes()
+        except OSError:
+            return b""
+
+    def judge(self, status, kind, complaint, has_begun):
         allowed = {0, -signal.SIGKILL} if kind.startswith("SIGKILL") else {0, STOPPED}
-        if status == -signal.SIGTERM or status == -signal.SIGINT:
-            # A signal before the program watches for it ends it as it ends any program.
-            allowed.add(status if not (self.result / "case.resolved.toml").exists() else None)
+        if status in (-signal.SIGTERM, -signal.SIGINT) and not has_begun:
+            allowed.add(status)  # a signal before the program watches for it ends it as it ends any program
         if status not in allowed or ITSELF in complaint:
             self.fail(f"{kind}: status {status}: {complaint[-300:].strip()}")
 
