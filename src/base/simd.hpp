@@ -99,6 +99,18 @@ static inline __attribute__((always_inline)) HalfFloats gather(const float* from
 #endif
 }
 
+/// Reads the integers with the given indices.
+static inline __attribute__((always_inline)) IndexPack gather(const std::int32_t* from,
+                                                              const IndexPack& index) {
+#if defined(__AVX2__)
+  return reinterpret_cast<IndexPack>(_mm256_i32gather_epi32(from, reinterpret_cast<__m256i>(index), 4));
+#else
+  IndexPack gathered;
+  for (int lane = 0; lane < lanes; ++lane) gathered[lane] = from[index[lane]];
+  return gathered;
+#endif
+}
+
 /// Gathers the lanes of a comparison into the bits of a number.
 static inline __attribute__((always_inline)) std::uint32_t to_bits(const Mask& mask) {
 #if defined(__AVX512DQ__)
@@ -137,15 +149,27 @@ static inline __attribute__((always_inline)) void write_selected(std::int32_t* t
 inline constexpr int float_lanes = 16;
 typedef float Floats __attribute__((vector_size(64)));
 typedef std::int32_t FloatMask __attribute__((vector_size(64)));
+/// Sixteen integers.
+typedef FloatMask Integers;
+typedef std::int32_t UnalignedIntegers __attribute__((vector_size(64), aligned(4)));
 typedef float UnalignedFloats __attribute__((vector_size(64), aligned(4)));
 
 static inline __attribute__((always_inline)) Floats read_floats(const float* from) {
   return *reinterpret_cast<const UnalignedFloats*>(from);
 }
+static inline __attribute__((always_inline)) Integers read_integers(const std::int32_t* from) {
+  return *reinterpret_cast<const UnalignedIntegers*>(from);
+}
 static inline __attribute__((always_inline)) Floats clamp(const Floats& x, const Floats& low,
                                                           const Floats& high) {
   const Floats lifted = x < low ? low : x;
   return lifted > high ? high : lifted;
+}
+
+static inline __attribute__((always_inline)) Floats square_root(const Floats& x) {
+  Floats root;
+  for (int i = 0; i < float_lanes; ++i) root[i] = __builtin_sqrtf(x[i]);
+  return root;
 }
 
 /// Reads the floats with the given sixteen indices.
@@ -154,6 +178,18 @@ static inline __attribute__((always_inline)) Floats gather(const float* from, co
   return reinterpret_cast<Floats>(_mm512_i32gather_ps(_mm512_loadu_si512(index), from, 4));
 #else
   Floats gathered;
+  for (int lane = 0; lane < float_lanes; ++lane) gathered[lane] = from[index[lane]];
+  return gathered;
+#endif
+}
+
+/// Reads the integers with the given sixteen indices.
+static inline __attribute__((always_inline)) Integers gather_integers(const std::int32_t* from,
+                                                                      const std::int32_t* index) {
+#if defined(__AVX512F__)
+  return reinterpret_cast<Integers>(_mm512_i32gather_epi32(_mm512_loadu_si512(index), from, 4));
+#else
+  Integers gathered;
   for (int lane = 0; lane < float_lanes; ++lane) gathered[lane] = from[index[lane]];
   return gathered;
 #endif

@@ -58,8 +58,8 @@ BreakEvent event_of(const FiberState& state, FiberIndex fiber, const Worst& wors
 
 }  // namespace
 
-void check_breakage(FiberState& state, const DynamicsParameters& parameters,
-                    std::vector<BreakEvent>& events) {
+std::vector<NodeIndex> check_breakage(FiberState& state, const DynamicsParameters& parameters,
+                                      std::vector<BreakEvent>& events) {
   const HingeCheck check(state, parameters);
   std::vector<NodeIndex> nodes;
   for (const FiberIndex fiber : state.fibers()) {
@@ -70,6 +70,7 @@ void check_breakage(FiberState& state, const DynamicsParameters& parameters,
   }
   split_fibers(state, nodes);
   ++state.breakage_checks;
+  return nodes;
 }
 
 }  // namespace fiberfate

@@ -38,7 +38,7 @@ class ChunkSearch {
         numbers(pairs.first).data(),    numbers(pairs.second).data(), pairs.image.data(),
         state_.position.front().data(), state_.cell.lattice.data(),   neighbours_.travel().data(),
         neighbours_.ahead().data(),     neighbours_.part().data(),    range_,
-        neighbours_.widest_gap()};
+        neighbours_.widest_gap(),       1 / neighbours_.quantum()};
     find_segment_distances(query, which.data(), static_cast<int>(which.size()), block_);
     for (std::size_t i = 0; i < which.size(); ++i) pairs.wake[which[i]] = block_.wake[i];
     for (int first = 0; first < static_cast<int>(which.size()); first += 8) {

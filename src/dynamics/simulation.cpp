@@ -23,15 +23,15 @@
 namespace fiberfate {
 namespace {
 
-// Margins of a list are made to last, at the present speeds, for 2.5 times as many steps as the last list
-// did: the first fibers leave theirs long before most do. Margins stay within bounds in radii. Speeds flicker
-// from contact to contact, so half of the mean speed is allowed to every rod.
-constexpr double lives = 2.5;
-constexpr double least_life = 10;
-constexpr double most_life = 40;
+// Margins are made to last for so many steps at the present speeds, within bounds in radii: wide ones list
+// more pairs, narrow ones list them more often. Speeds flicker from contact to contact, so half of the mean
+// speed is allowed to every rod.
+constexpr double margin_life = 40;
 constexpr double shared_speed = 0.5;
-constexpr double least_margin = 1.0;
-constexpr double most_margin = 3.0;
+constexpr double least_margin = 2;
+constexpr double most_margin = 4;
+// Where more rods than this share leave their margins at once, it is cheaper to list all.
+constexpr double most_renewed = 0.3;
 
 // Fewer rods are stepped faster by one thread than by threads that wait for each other a dozen times a step.
 constexpr std::int64_t rods_a_thread = 1000;
@@ -68,7 +68,6 @@ struct Simulation::Parts {
     velocity.resize(nodes);
     tension.resize(nodes);
     travelled.resize(nodes);
-    list_is_stale = true;
   }
 
   [[nodiscard]] bool has_contacts() const { return loads.range() > 0; }
@@ -82,8 +81,8 @@ struct Simulation::Parts {
   }
 
   void find_contacts(const Flow& now, double step);
-  void build_list(const Flow& now, double step);
-  void tune_margins();
+  void renew_list(const Flow& now, double step);
+  [[nodiscard]] double margin_of(FiberIndex fiber, double ahead, double mean_ahead) const;
   double try_step(const Flow& now, double step);
   void accept(const Flow& now, const StepChoice& choice, double error, double event);
   void measure(const Contact& contact, ContactStatistics& statistics, std::vector<double>& overlaps) const;
@@ -107,8 +106,6 @@ struct Simulation::Parts {
   IndexedVector<RodIndex, double> travelled;
   IndexedVector<FiberIndex, double> error_by_fiber;
   bool list_is_stale = true;
-  double margin_life = most_life;  // steps
-  std::int64_t list_made_at = 0;   // step
   // Results
   std::vector<BreakEvent> events;
   PhaseTimes times;
@@ -170,7 +167,7 @@ void Simulation::Parts::find_contacts(const Flow& now, double step) {
   if (has_contacts()) {
     {
       const PhaseTimer timer(times, Phase::neighbours);
-      if (!neighbours.look_ahead(state, now, step) || list_is_stale) build_list(now, step);
+      if (!neighbours.look_ahead(state, now, step) || list_is_stale) renew_list(now, step);
     }
     const PhaseTimer timer(times, Phase::loads);
     search.find(state, neighbours, loads.range());
@@ -179,27 +176,28 @@ void Simulation::Parts::find_contacts(const Flow& now, double step) {
   loads.arrange(search.contacts(), state);
 }
 
-void Simulation::Parts::tune_margins() {
-  // A list that ended for another reason says nothing.
-  if (!list_is_stale)
-    margin_life = std::clamp(lives * static_cast<double>(state.step - list_made_at), least_life, most_life);
-  list_made_at = state.step;
-}
-
-void Simulation::Parts::build_list(const Flow& now, double step) {
-  tune_margins();
+/// Lists the rods that leave their margins anew, or all rods.
+void Simulation::Parts::renew_list(const Flow& now, double step) {
   const auto ahead = neighbours.ahead();
   const double mean = std::accumulate(ahead.begin(), ahead.end(), 0.0) / static_cast<double>(ahead.size());
-  margin.assign(ahead.size(), 0.0);
+  margin.resize(ahead.size(), 0.0);
+  const auto leaving = neighbours.leaving();
+  if (!list_is_stale && std::ssize(leaving) < most_renewed * state.rod_count()) {
+    for (const RodIndex rod : leaving) margin[rod] = margin_of(neighbours.fiber_of(rod), ahead[rod], mean);
+    if (neighbours.renew(state, margin)) return;
+  }
   for (const FiberIndex fiber : state.fibers()) {
-    const double radius = state.material(fiber).radius;
-    for (const RodIndex rod : state.rods(fiber)) {
-      const double wanted = margin_life * (ahead[rod] + shared_speed * mean);
-      margin[rod] = std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead[rod];
-    }
+    for (const RodIndex rod : state.rods(fiber)) margin[rod] = margin_of(fiber, ahead[rod], mean);
   }
   neighbours.build(state, loads.range(), margin);
   list_is_stale = !neighbours.look_ahead(state, now, step);
+}
+
+/// A margin that lasts a rod of the fiber for some steps, m.
+double Simulation::Parts::margin_of(FiberIndex fiber, double ahead, double mean_ahead) const {
+  const double radius = state.material(fiber).radius;
+  const double wanted = margin_life * (ahead + shared_speed * mean_ahead);
+  return std::clamp(wanted, least_margin * radius, most_margin * radius) + 2 * ahead;
 }
 
 void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double error, double event) {
@@ -215,9 +213,10 @@ void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double
   }
   if (!may_break() || state.time < next_check()) return;
   const PhaseTimer timer(times, Phase::breakage);
-  const std::int64_t before = state.breaks;
-  check_breakage(state, parameters, events);
-  if (state.breaks != before) fit_to_fibers();
+  const std::vector<NodeIndex> broken = check_breakage(state, parameters, events);
+  if (broken.empty()) return;
+  fit_to_fibers();
+  if (!list_is_stale) neighbours.split(state, broken);
 }
 
 SimulationFailure Simulation::Parts::failure(const std::string& what) const {

@@ -9,7 +9,7 @@ namespace fiberfate {
 
 /// The entries of a grid that may be near a rod.
 struct PairCandidates {
-  std::vector<RodGrid::Run> runs;
+  RodGrid::Runs runs;
   std::vector<Index> entries;            ///< RodGrid::Entry, as kernels write them
   std::vector<float> squared_distances;  ///< of entries kept, m²
 };

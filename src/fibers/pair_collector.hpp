@@ -3,6 +3,7 @@
 
 #include "fibers/neighbour_list.hpp"
 #include "fibers/rod_cull.hpp"
+#include "fibers/segment_block.hpp"
 
 namespace fiberfate {
 
@@ -11,25 +12,31 @@ namespace fiberfate {
 class PairCollector {
  public:
   using Entry = RodGrid::Entry;
+  using Bins = IndexRange<RodGrid::Bin>;
 
-  PairCollector(const FiberState& state, const NeighbourList& list, double widest, PairCandidates& candidates)
-      : state_(state), list_(list), widest_(widest), candidates_(candidates) {}
+  PairCollector(const NeighbourList& list, const IndexedVector<RodIndex, double>& rod_length,
+                PairCandidates& candidates);
 
-  void run(IndexRange<RodGrid::Bin> bins, RodPairs& pairs);
+  /// Lists every pair whose first entry lies in the bins.
+  void list(Bins bins, RodPairs& pairs);
+  /// Adds the pairs of entries whose rods are listed anew; of two such rods the first one adds the pair.
+  void add(std::span<const std::pair<Index, Entry>> entries, RodPairs& pairs);
 
  private:
+  void make_room();
   void collect(Entry entry);
-  void measure(Entry entry, RodCull& query, const IntVec3& shift);
   void consider(Entry entry, Entry other_entry, const IntVec3& shift, float squared_distance);
   [[nodiscard]] RodCull query_of(Entry entry) const;
+  [[nodiscard]] bool is_listed_anew(RodIndex rod) const { return (list_.part_[rod] & listed_anew) != 0; }
   [[nodiscard]] bool is_own_neighbour(RodIndex rod, RodIndex other) const;
+  [[nodiscard]] std::int32_t wake(RodIndex rod, RodIndex other, double distance) const;
 
-  const FiberState& state_;
   const NeighbourList& list_;
-  double widest_;
+  const IndexedVector<RodIndex, double>& rod_length_;
   PairCandidates& candidates_;
+  RodCull fluid_{};  // what all queries share
   RodPairs* pairs_ = nullptr;
-  int count_ = 0;
+  bool is_renewing_ = false;
 };
 
 }  // namespace fiberfate

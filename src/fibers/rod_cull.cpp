@@ -5,12 +5,12 @@
 
 namespace fiberfate {
 
-FIBERFATE_DECLARE_KERNEL(int cull_rods(const RodCull& query, Index begin, Index end, Index* found))
+FIBERFATE_DECLARE_KERNEL(int cull_rods(const RodCull& query, const EntryRun* runs, int count, Index* found))
 FIBERFATE_DECLARE_KERNEL(int keep_near_rods(const RodCull& query, Index* entries, int count, Index* found,
                                             float* squared_distance))
 
-int cull_rods(const RodCull& query, Index begin, Index end, Index* found) {
-  return FIBERFATE_KERNEL(cull_rods)(query, begin, end, found);
+int cull_rods(const RodCull& query, const EntryRun* runs, int count, Index* found) {
+  return FIBERFATE_KERNEL(cull_rods)(query, runs, count, found);
 }
 
 int keep_near_rods(const RodCull& query, Index* entries, int count, Index* found, float* squared_distance) {

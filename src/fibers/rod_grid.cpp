@@ -17,35 +17,26 @@ constexpr double bins_per_rod = 4.0;
 // of each other's fibers; the flow direction last, in which the rods of a fiber follow one another.
 constexpr std::array<int, 3> direction = {1, 2, 0};
 
-/// A bin index wrapped into the grid and the image it was wrapped by.
-struct WrappedBin {
-  int bin;
-  int turns;
-};
-
-WrappedBin wrap(int bin, int bins) {
-  const int turns = bin >= 0 ? bin / bins : -((bins - 1 - bin) / bins);
-  return {bin - turns * bins, turns};
-}
-
 }  // namespace
 
-void RodGrid::fill(const FiberState& state, double bin_width, const IndexedVector<RodIndex, double>& margin) {
-  boundary_ = state.cell.boundary;
-  to_fraction_ = state.cell.lattice.inverse();
-  const double most = std::max(1.0, 2 * std::cbrt(bins_per_rod * state.rod_count()));
-  for (std::size_t i = 0; i < 3; ++i) {
-    height_[i] = state.cell.height(direction[i]);
+void RodGrid::fill(const FiberNodes& fibers, const Cell& cell, double bin_width,
+                   const IndexedVector<RodIndex, double>& margin) {
+  cell_ = cell;
+  to_fraction_ = cell.lattice.inverse();
+  flow_with(cell);
+  const double most = std::max(1.0, 2 * std::cbrt(bins_per_rod * fibers.rod_count()));
+  for (std::size_t i = 0; i < 3; ++i)
     bins_[i] = std::max(1, static_cast<int>(std::min(std::floor(height_[i] / bin_width), most)));
-  }
 
-  bin_rods(state);
+  bin_rods(fibers);
   sort_bins();
   const std::size_t rods = unsorted_.size();
   for (auto* array : {&x, &y, &z, &axis_x, &axis_y, &axis_z, &half_length, &margin_of})
     array->resize(rods + padding, 0.0F);
+  strayed_.assign(rods, 0.0F);
   rod.resize(rods);
   image.resize(rods);
+  entry_of_.resize(fibers.position.size());
   // Entry after entry: threads that wrote into one another's cache lines would wait for them.
   parallel_for(rod.indices(), [&](Entry e) {
     const BinnedRod& one = unsorted_[source_[e]];
@@ -58,36 +49,68 @@ void RodGrid::fill(const FiberState& state, double bin_width, const IndexedVecto
     half_length[e] = one.half_length;
     margin_of[e] = static_cast<float>(margin[one.rod]);
     rod[e] = one.rod;
+    entry_of_[one.rod] = e;
     image[e] = one.image;
   });
 }
 
-void RodGrid::bin_rods(const FiberState& state) {
-  unsorted_.resize(state.rod_count());
-  parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
-    // One node a fiber, its last one, owns no rod.
-    for (const RodIndex one : state.rods(fiber)) unsorted_[one.value() - fiber.value()] = binned(state, one);
+void RodGrid::flow_with(const Cell& cell) {
+  for (std::size_t i = 0; i < 3; ++i) height_[i] = cell.height(direction[i]);
+}
+
+void RodGrid::renew(Entry entry, const Segment& one, double margin) {
+  const Vec3 axis = one.end - one.begin;
+  const double length = axis.norm();
+  Vec3 wrapped = 0.5 * (one.begin + one.end);
+  for (int i = 0; i < 3; ++i) wrapped -= image[entry][i] * cell_.lattice.col(i);
+  strayed_[entry] += static_cast<float>((wrapped - midpoint(entry)).norm() * (1 + 1e-6));
+  x[entry] = static_cast<float>(wrapped.x());
+  y[entry] = static_cast<float>(wrapped.y());
+  z[entry] = static_cast<float>(wrapped.z());
+  axis_x[entry] = static_cast<float>(axis.x() / length);
+  axis_y[entry] = static_cast<float>(axis.y() / length);
+  axis_z[entry] = static_cast<float>(axis.z() / length);
+  half_length[entry] = static_cast<float>(0.5 * length);
+  margin_of[entry] = static_cast<float>(margin);
+}
+
+void RodGrid::renumber(const IndexedVector<RodIndex, RodIndex>& numbers, RodIndex end) {
+  entry_of_.resize(end.value());
+  parallel_for(rod.indices(), [&](Entry e) {
+    rod[e] = numbers[rod[e]];
+    entry_of_[rod[e]] = e;
   });
 }
 
-RodGrid::BinnedRod RodGrid::binned(const FiberState& state, RodIndex which) const {
-  const Vec3 axis = state.axis(which);
+void RodGrid::bin_rods(const FiberNodes& fibers) {
+  unsorted_.resize(fibers.rod_count());
+  parallel_for_weighted(fibers.first_node, [&](FiberIndex fiber) {
+    // One node a fiber, its last one, owns no rod.
+    for (const RodIndex one : fibers.rods(fiber)) {
+      BinnedRod& bin = unsorted_[one.value() - fiber.value()];
+      bin = binned(fibers.segment(one));
+      bin.rod = one;
+    }
+  });
+}
+
+RodGrid::BinnedRod RodGrid::binned(const Segment& one_rod) const {
+  const Vec3 axis = one_rod.end - one_rod.begin;
   const double length = axis.norm();
-  Vec3 wrapped = state.centre(which);
+  Vec3 wrapped = 0.5 * (one_rod.begin + one_rod.end);
   const Vec3 fraction = to_fraction_ * wrapped;
   BinnedRod one{};
   for (int i = 0; i < 3; ++i) {
-    if (boundary_[i] != Boundary::periodic) continue;
+    if (cell_.boundary[i] != Boundary::periodic) continue;
     const double turns = std::floor(fraction[i]);
     one.image[i] = static_cast<std::int16_t>(turns);
-    wrapped -= turns * state.cell.lattice.col(i);
+    wrapped -= turns * cell_.lattice.col(i);
   }
   for (int i = 0; i < 3; ++i) {
     one.midpoint[i] = static_cast<float>(wrapped[i]);
     one.axis[i] = static_cast<float>(axis[i] / length);
   }
   one.half_length = static_cast<float>(0.5 * length);
-  one.rod = which;
   one.bin = bin_index(bin_at(wrapped));
   return one;
 }
@@ -113,50 +136,89 @@ std::array<int, 3> RodGrid::bin_at(const Vec3& midpoint) const {
   return bin;
 }
 
-RodGrid::Block RodGrid::block_around(Bin bin, double reach) const {
-  Block block;
+std::size_t RodGrid::Runs::entries() const {
+  std::size_t count = 0;
+  for (const EntryRun& run : runs) count += run.end - run.begin;
+  return count;
+}
+
+void RodGrid::runs_ahead(Bin bin, double reach, Runs& runs) const {
+  runs.runs.clear();
+  runs.groups.clear();
   const int number = bin.value();
-  block.centre = {number / (bins_[1] * bins_[2]), number / bins_[2] % bins_[1], number % bins_[2]};
+  const std::array<int, 3> centre = {number / (bins_[1] * bins_[2]), number / bins_[2] % bins_[1],
+                                     number % bins_[2]};
+  Block block{centre, centre};
   for (std::size_t i = 0; i < 3; ++i) {
     const int span = static_cast<int>(std::ceil(reach * bins_[i] / height_[i]));
-    block.low[i] = block.centre[i] - span;
-    block.high[i] = block.centre[i] + span;
-    if (boundary_[direction[i]] == Boundary::periodic) continue;
-    block.low[i] = std::max(block.low[i], 0);
-    block.high[i] = std::min(block.high[i], bins_[i] - 1);
+    block.low[i] -= span;
+    block.high[i] += span;
   }
-  return block;
+  keep_within_walls(block);
+  add_block({centre, {centre[0], centre[1], block.high[2]}}, runs);
+  add_block({{centre[0], centre[1] + 1, block.low[2]}, {centre[0], block.high[1], block.high[2]}}, runs);
+  add_block({{centre[0] + 1, block.low[1], block.low[2]}, block.high}, runs);
 }
 
-void RodGrid::runs_ahead(Bin bin, double reach, std::vector<Run>& runs) const {
-  runs.clear();
-  Block block = block_around(bin, reach);
-  const int low = block.low[2];
-  block.low[2] = block.centre[2];
-  add_row(block, block.centre[0], block.centre[1], runs);
-  block.low[2] = low;
-  for (int j = block.centre[1] + 1; j <= block.high[1]; ++j) add_row(block, block.centre[0], j, runs);
-  for (int i = block.centre[0] + 1; i <= block.high[0]; ++i) {
-    for (int j = block.low[1]; j <= block.high[1]; ++j) add_row(block, i, j, runs);
+void RodGrid::runs_around(Entry entry, double reach, Runs& runs) const {
+  runs.runs.clear();
+  runs.groups.clear();
+  const Vec3 fraction = to_fraction_ * midpoint(entry);
+  Block block;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double place = fraction[direction[i]] * bins_[i];
+    const double span = reach * bins_[i] / height_[i];
+    block.low[i] = static_cast<int>(std::floor(place - span));
+    block.high[i] = static_cast<int>(std::floor(place + span));
+  }
+  keep_within_walls(block);
+  add_block(block, runs);
+}
+
+void RodGrid::keep_within_walls(Block& block) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (cell_.boundary[direction[i]] == Boundary::periodic) continue;
+    block.low[i] = std::clamp(block.low[i], 0, bins_[i] - 1);
+    block.high[i] = std::clamp(block.high[i], 0, bins_[i] - 1);
   }
 }
 
-/// Adds the runs of the bins (i, j, low to high) of a block, split where they wrap around the cell.
-void RodGrid::add_row(const Block& block, int i, int j, std::vector<Run>& runs) const {
-  const WrappedBin first = wrap(i, bins_[0]);
-  const WrappedBin second = wrap(j, bins_[1]);
-  int third = block.low[2];
-  while (third <= block.high[2]) {
-    const WrappedBin wrapped = wrap(third, bins_[2]);
-    const int length = std::min(block.high[2] - third + 1, bins_[2] - wrapped.bin);
-    const Bin from = bin_index({first.bin, second.bin, wrapped.bin});
-    Run run{begin_[from], begin_[from + length]};
-    run.shift[direction[0]] = first.turns;
-    run.shift[direction[1]] = second.turns;
-    run.shift[direction[2]] = wrapped.turns;
-    if (run.end > run.begin) runs.push_back(run);
-    third += length;
-  }
+/// The bins from `low` on, no farther than `high`, that lie in one image.
+RodGrid::Stretch RodGrid::stretch_from(int along, int low, int high) const {
+  const int bins = bins_[along];
+  const int turns = low >= 0 ? low / bins : -((bins - 1 - low) / bins);
+  return {low - turns * bins, std::min(high - turns * bins + 1, bins), turns};
+}
+
+/// Adds the runs of a block, image by image.
+void RodGrid::add_block(const Block& block, Runs& runs) const {
+  const auto for_stretches = [&](int along, const auto& body) {
+    for (int low = block.low[along]; low <= block.high[along];) {
+      const Stretch stretch = stretch_from(along, low, block.high[along]);
+      body(stretch);
+      low += stretch.end - stretch.begin;
+    }
+  };
+  for_stretches(0, [&](const Stretch& first) {
+    for_stretches(1, [&](const Stretch& second) {
+      for_stretches(2, [&](const Stretch& third) {
+        const std::size_t before = runs.runs.size();
+        for (int i = first.begin; i < first.end; ++i) {
+          for (int j = second.begin; j < second.end; ++j) {
+            const EntryRun run{begin_[bin_index({i, j, third.begin})].value(),
+                               begin_[bin_index({i, j, third.end - 1}) + 1].value()};
+            if (run.end > run.begin) runs.runs.push_back(run);
+          }
+        }
+        if (runs.runs.size() == before) return;
+        IntVec3 shift;
+        shift[direction[0]] = first.turns;
+        shift[direction[1]] = second.turns;
+        shift[direction[2]] = third.turns;
+        runs.groups.push_back({shift, static_cast<int>(runs.runs.size())});
+      });
+    });
+  });
 }
 
 }  // namespace fiberfate

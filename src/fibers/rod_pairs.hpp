@@ -34,29 +34,51 @@ struct RodPairs {
   std::vector<RodIndex> first;
   std::vector<RodIndex> second;
   std::vector<std::int32_t> image;  ///< packed; second stands at x + H · image
-  std::vector<float> wake;  ///< the pair cannot matter before the travels of its two rods add up to this, m
+  std::vector<std::int32_t> wake;   ///< the pair cannot matter before the travels of its rods add up to this
 
   [[nodiscard]] Index size() const { return static_cast<Index>(first.size()) - padding_; }
 
   /// Empties the list and keeps its memory.
-  void clear() {
-    for (auto* array : {&first, &second}) array->clear();
-    image.clear();
-    wake.clear();
-    padding_ = 0;
-  }
-  void add(RodIndex one, RodIndex other, std::int32_t packed_image, float wakes) {
+  void clear() { shrink(0); }
+  void add(RodIndex one, RodIndex other, std::int32_t packed_image, std::int32_t wakes) {
     first.push_back(one);
     second.push_back(other);
     image.push_back(packed_image);
     wake.push_back(wakes);
   }
+  /// Takes the padding away, so that pairs can be added.
+  void unpad() { shrink(size()); }
+  /// Keeps, in their order, the pairs for which `wanted(number)` holds, without padding.
+  template <class Wanted>
+  void keep_if(const Wanted& wanted) {
+    Index kept = 0;
+    for (Index i = 0; i < size(); ++i) {
+      if (!wanted(i)) continue;
+      first[kept] = first[i];
+      second[kept] = second[i];
+      image[kept] = image[i];
+      wake[kept++] = wake[i];
+    }
+    shrink(kept);
+  }
+  /// Gives all rods new numbers, which keep their order.
+  void renumber(const IndexedVector<RodIndex, RodIndex>& numbers) {
+    for (auto* array : {&first, &second}) {
+      for (RodIndex& rod : *array) rod = numbers[rod];
+    }
+  }
   /// Adds pairs that never wake, so that packs of sixteen may be read up to the end.
   void pad() {
-    for (padding_ = 0; padding_ < 16; ++padding_) add({}, {}, 0, std::numeric_limits<float>::infinity());
+    for (padding_ = 0; padding_ < 16; ++padding_) add({}, {}, 0, std::numeric_limits<std::int32_t>::max());
   }
 
  private:
+  void shrink(Index pairs) {
+    for (auto* array : {&first, &second}) array->resize(pairs);
+    for (auto* array : {&image, &wake}) array->resize(pairs);
+    padding_ = 0;
+  }
+
   Index padding_ = 0;
 };
 

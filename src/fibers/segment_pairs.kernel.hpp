@@ -83,13 +83,13 @@ static inline __attribute__((always_inline)) std::uint32_t special_pairs(const S
 
 }  // namespace
 
-int find_awake_pairs(const Index* first, const Index* second, const float* wake, int count,
-                     const float* reach, Index* awake) {
+int find_awake_pairs(const Index* first, const Index* second, const std::int32_t* wake, int count,
+                     const std::int32_t* reach, Index* awake) {
   int found = 0;
   alignas(64) Index numbers[float_lanes];
   for (int i = 0; i < count; i += float_lanes) {
-    const Floats together = gather(reach, first + i) + gather(reach, second + i);
-    const std::uint32_t bits = to_bits(together >= read_floats(wake + i));
+    const Integers together = gather_integers(reach, first + i) + gather_integers(reach, second + i);
+    const std::uint32_t bits = to_bits(together >= read_integers(wake + i));
     if (bits == 0) continue;
     for (int lane = 0; lane < float_lanes; ++lane) numbers[lane] = i + lane;
     found += write_selected(awake + found, numbers, bits);
@@ -132,10 +132,10 @@ void find_segment_distances(const SegmentQuery& query, const Index* which, int c
     const Pack gap = distance - query.range;
     const IndexPack first = read_indices(block.first + i);
     const IndexPack second = read_indices(block.second + i);
-    const HalfFloats travel = gather(query.travel, first) + gather(query.travel, second);
+    const IndexPack travel = gather(query.travel, first) + gather(query.travel, second);
     const HalfFloats ahead = gather(query.ahead, first) + gather(query.ahead, second);
-    const Pack asleep = clamp(gap, 0, query.widest_gap) * (1 - 1e-6);
-    *reinterpret_cast<HalfFloats*>(block.wake + i) = travel + __builtin_convertvector(asleep, HalfFloats);
+    const Pack asleep = clamp(gap, 0, query.widest_gap) * query.per_quantum;
+    *reinterpret_cast<IndexPack*>(block.wake + i) = travel + __builtin_convertvector(asleep, IndexPack);
     const Mask is_near = gap < __builtin_convertvector(ahead, Pack);
     std::uint32_t near = to_bits(is_near) & first_bits(count - i);
     near &=
