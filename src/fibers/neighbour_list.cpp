@@ -256,6 +256,7 @@ void NeighbourList::carry(const Flow& flow, double step, IndexedSpan<RodIndex, c
   const double share = strain_share(flow, step);
   parallel_for(travel_.indices(), [&](RodIndex rod) { travel_[rod] += quanta(travelled[rod] + share); });
   travelled_ += *std::max_element(travelled.begin(), travelled.end()) + share;
+  if (has_to_be_swept()) sweep();
   Cell fluid;
   fluid.lattice = deformation_;
   deform(fluid, flow.gradient, step);
