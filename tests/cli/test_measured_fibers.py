@@ -36,6 +36,15 @@ def test_means_of_a_short_list(tmp_path):
     assert column(folder, "number", "distribution.csv") == [1, 1, 1, 1]
 
 
+# Bins of 1e-300 m used to hang `check`.
+@pytest.mark.parametrize("width", ["1e-300", "0.1 um"])
+def test_bins_that_are_too_many_are_refused(tmp_path, width):
+    case = measured(tmp_path, {"l.csv": "500\n2000\n"}, f'[lengths]\nfile = "l.csv"\nunit = "um"\nbin_width = "{width}"\n'.replace('"1e-300"', "1e-300"))
+    words = run("check", case, expect=2).stderr
+    assert "lengths.bin_width" in words and "more than 10000 bins" in words and '"0.22 um"' in words
+    run("check", case, "--set", "lengths.bin_width=0.21 um")
+
+
 def test_the_correction_of_a_sampled_region(tmp_path):
     case = measured(tmp_path, {"l.csv": "length,count\n1,3\n4,1\n"},
                     '[lengths]\nfile = "l.csv"\nunit = "mm"\nnumber_column = "count"\nsample_diameter = "2 mm"\n')

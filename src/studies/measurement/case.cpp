@@ -38,6 +38,18 @@ void check_list(const std::string& file_key, CaseChecker& checker, const Read& r
   }
 }
 
+/// Reads the list, and refuses bins so narrow that they are too many.
+void check_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker) {
+  const MeasuredLengths fibers = read_lengths(lengths).fibers;
+  static_cast<void>(number_average(fibers));
+  const double longest = *std::max_element(fibers.lengths.begin(), fibers.lengths.end());
+  if (!lengths.bin_width || longest / *lengths.bin_width <= most_histogram_bins) return;
+  checker.error(
+      "lengths.bin_width",
+      fmt::format("more than {} bins up to the longest fiber, {:.3g} mm", most_histogram_bins, longest * 1e3),
+      fmt::format("give at least \"{:.2g} um\"", 1.1e6 * longest / most_histogram_bins));
+}
+
 void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker) {
   if (lengths.file.empty()) {
     checker.warn_unused({"lengths.column", "lengths.number_column", "lengths.unit", "lengths.sample_diameter",
@@ -54,8 +66,7 @@ void validate_lengths(const MeasuredLengthChoices& lengths, CaseChecker& checker
   }
   checker.check_file("lengths.file", lengths.file);
   if (checker.is_sound("lengths.file"))
-    check_list("lengths.file", checker,
-               [&] { static_cast<void>(number_average(read_lengths(lengths).fibers)); });
+    check_list("lengths.file", checker, [&] { check_lengths(lengths, checker); });
 }
 
 void validate_directions(const MeasuredDirectionChoices& orientation, CaseChecker& checker) {

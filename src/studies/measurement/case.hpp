@@ -11,6 +11,9 @@
 
 namespace fiberfate {
 
+/// Bins of a histogram at most.
+inline constexpr int most_histogram_bins = 10000;
+
 /// [lengths].
 struct MeasuredLengthChoices {
   std::string file;                       ///< CSV; empty: no lengths were measured

@@ -30,7 +30,7 @@ KeyGroup<MeasuredLengthChoices> length_keys() {
               "longer a fiber, the more likely it crosses such a region; each counts 1/(1 + 4 L/(pi d)) for "
               "it. Not given: nothing is corrected.",
               optional("\"5 mm\""), "Kunc et al. 2007; thesis 4.3"),
-          key("bins", &Lengths::bins, {}, Range::between(1, 10000),
+          key("bins", &Lengths::bins, {}, Range::between(1, most_histogram_bins),
               "Bins of the histogram, from 0 to the longest fiber."),
           key("bin_width", &Lengths::bin_width, {"m", "mm"}, Range::positive(10),
               "Width of the bins, instead of their number.", optional("\"0.25 mm\"")),
