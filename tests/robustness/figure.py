@@ -9,11 +9,16 @@ def text(x, y, words, anchor="start", size=12):
     return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" font-size="{size}">{escape(str(words))}</text>'
 
 
+def fitting(title):
+    """The size in which a title is as wide as the figure, or 14."""
+    return min(14, 1.8 * (WIDTH - 24) / max(len(title), 1))
+
+
 def write(path, title, height, parts):
     path.parent.mkdir(parents=True, exist_ok=True)
     head = (f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" viewBox="0 0 {WIDTH} {height}" '
             'font-family="sans-serif" fill="#222"><rect width="100%" height="100%" fill="white"/>')
-    path.write_text("\n".join([head, text(12, 22, title, size=14), *parts, "</svg>", ""]), encoding="utf-8")
+    path.write_text("\n".join([head, text(12, 22, title, size=f"{fitting(title):.1f}"), *parts, "</svg>", ""]), encoding="utf-8")
 
 
 def legend(kinds):
