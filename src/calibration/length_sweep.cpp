@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "base/rising.hpp"
 #include "calibration/natural_spline.hpp"
 
 namespace fiberfate {
@@ -86,8 +87,7 @@ double least_place(const std::vector<double>& places, const Function& function) 
 
 void require_sound(const std::vector<double>& values, const std::vector<SweptLength>& lengths) {
   require_numbers("values", values, any_finite);
-  const auto falls = [](double first, double second) { return !(first < second); };
-  if (values.size() < 3 || std::ranges::adjacent_find(values, falls) != values.end())
+  if (values.size() < 3 || !are_rising(values))
     throw InputError("the values of the sweep do not rise, or are fewer than three",
                      "give three rising values or more");
   if (lengths.empty())

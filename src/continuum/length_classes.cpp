@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "base/rising.hpp"
 
 namespace fiberfate {
 
@@ -70,8 +70,7 @@ void spread_over_bins(double from, double to, double number, std::span<const dou
 }  // namespace
 
 std::vector<double> histogram(const LengthClasses& classes, std::span<const double> edges) {
-  const auto rise = [](double lower, double upper) { return lower < upper; };
-  if (edges.size() < 2 || std::ranges::adjacent_find(edges, std::not_fn(rise)) != edges.end())
+  if (edges.size() < 2 || !are_rising(edges))
     throw InputError("the edges of the bins do not rise", "give at least two edges in rising order");
   require_same_size("numbers", classes.numbers.size(), classes.lengths.size());
   std::vector<double> counts(edges.size() - 1, 0.0);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/rising.hpp"
 
 namespace fiberfate {
 namespace {
@@ -28,12 +29,6 @@ void visit_hinges(const FiberState& state, const Visit& visit) {
   for (const FiberIndex fiber : state.fibers()) {
     for (const NodeIndex hinge : state.hinges(fiber)) visit(hinge_radius(state, hinge));
   }
-}
-
-/// Whether numbers rise; NaN does not.
-bool rise(std::span<const double> numbers) {
-  const auto falls = [](double first, double second) { return !(first < second); };
-  return std::ranges::adjacent_find(numbers, falls) == numbers.end();
 }
 
 }  // namespace
@@ -69,7 +64,7 @@ Eigen::Matrix<double, 6, 6> orientation_tensor4(const FiberState& state, Weighti
 
 std::vector<double> length_histogram(const FiberState& state, std::span<const double> edges,
                                      Weighting weighting) {
-  if (edges.size() < 2 || !rise(edges))
+  if (edges.size() < 2 || !are_rising(edges))
     throw InputError("the edges of the bins do not rise, or are fewer than two", "give rising edges");
   std::vector<double> bins(edges.size() - 1, 0.0);
   for (const FiberIndex fiber : state.fibers()) {

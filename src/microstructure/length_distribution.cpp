@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
 #include "base/random.hpp"
+#include "base/rising.hpp"
 
 namespace fiberfate {
 namespace {
@@ -255,9 +256,7 @@ void check(const LengthHistogram& histogram) {
     throw InputError(
         fmt::format("a length histogram has {} edges and {} heights", edges.size(), histogram.heights.size()),
         "give one edge more than heights");
-  const auto rise = [](double lower, double upper) { return lower < upper; };
-  if (!(edges.front() >= 0) || !std::isfinite(edges.back()) ||
-      std::adjacent_find(edges.begin(), edges.end(), std::not_fn(rise)) != edges.end())
+  if (!(edges.front() >= 0) || !std::isfinite(edges.back()) || !are_rising(edges))
     throw InputError("the edges of a length histogram do not rise from 0 or above",
                      "sort them and drop doubles");
   double total = 0;

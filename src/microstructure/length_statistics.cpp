@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "base/constants.hpp"
 #include "base/error.hpp"
 #include "base/number_checks.hpp"
+#include "base/rising.hpp"
 
 namespace fiberfate {
 namespace {
@@ -94,8 +94,7 @@ double weight_average(const MeasuredLengths& fibers) {
 
 LengthShares length_shares(const MeasuredLengths& fibers, const std::vector<double>& edges) {
   require_usable(fibers);
-  const auto rise = [](double lower, double upper) { return lower < upper; };
-  if (edges.size() < 2 || std::ranges::adjacent_find(edges, std::not_fn(rise)) != edges.end())
+  if (edges.size() < 2 || !are_rising(edges))
     throw InputError("the edges of the bins do not rise", "give at least two edges in rising order");
   LengthShares shares{edges, std::vector<double>(edges.size() - 1), std::vector<double>(edges.size() - 1)};
   for (std::size_t i = 0; i < fibers.lengths.size(); ++i) {
