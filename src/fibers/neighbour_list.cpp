@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/matrix_product.hpp"
 #include "base/threads.hpp"
@@ -102,9 +103,12 @@ bool NeighbourList::renew(const FiberState& state, const IndexedVector<RodIndex,
   list_leaving(state.rod_length);
   if (has_to_be_swept()) sweep();
   bool covers = true;
+  FiberIndex looked_at(-1);
   for (const RodIndex rod : leaving_) {
     part_[rod] = static_cast<std::uint8_t>(part_[rod] & ~listed_anew);
-    covers = covers && look_ahead(state, fiber_of_[rod]);
+    if (fiber_of_[rod] == looked_at) continue;
+    looked_at = fiber_of_[rod];
+    covers = look_ahead(state, looked_at) && covers;
   }
   return covers;
 }
@@ -127,20 +131,17 @@ void NeighbourList::place_anew(const FiberState& state, RodIndex rod, double mar
 
 void NeighbourList::list_leaving(const IndexedVector<RodIndex, double>& rod_length) {
   to_list_.clear();
-  for (const RodIndex rod : leaving_) {
-    const RodGrid::Entry entry = grid_.entry_of(rod);
-    to_list_.emplace_back(chunk_of(entry), entry);
-  }
+  for (const RodIndex rod : leaving_) to_list_.push_back(grid_.entry_of(rod));
   std::sort(to_list_.begin(), to_list_.end());
   chunk_begin_.clear();
   for (std::size_t i = 0; i < to_list_.size(); ++i) {
-    if (i == 0 || to_list_[i].first != to_list_[i - 1].first) chunk_begin_.push_back(i);
+    if (i == 0 || chunk_of(to_list_[i]) != chunk_of(to_list_[i - 1])) chunk_begin_.push_back(i);
   }
   chunk_begin_.push_back(to_list_.size());
+  candidates_.fit();
   parallel_for(std::ssize(chunk_begin_) - 1, [&](std::ptrdiff_t c) {
-    const std::span<const Listing> listings(to_list_.data() + chunk_begin_[c],
-                                            chunk_begin_[c + 1] - chunk_begin_[c]);
-    PairCollector(*this, rod_length, candidates_.mine()).add(listings, chunks_[listings.front().first]);
+    const std::span entries(to_list_.data() + chunk_begin_[c], chunk_begin_[c + 1] - chunk_begin_[c]);
+    PairCollector(*this, rod_length, candidates_.mine()).add(entries, chunks_[chunk_of(entries.front())]);
   });
   count_pairs();
 }
@@ -219,11 +220,12 @@ void NeighbourList::fill_grid(const Cell& cell) {
 
 /// Brings the leaving rods to where they are; once one has strayed too far from its bin, all are binned anew.
 void NeighbourList::renew_grid(const Cell& cell) {
+  const double slack = slack_share * widest();
   bool has_strayed = false;
   for (const RodIndex rod : leaving_) {
     const RodGrid::Entry entry = grid_.entry_of(rod);
     grid_.renew(entry, origin_.segment(rod), margin_[rod]);
-    has_strayed = has_strayed || grid_.strayed(entry) > slack_share * widest();
+    has_strayed = has_strayed || grid_.strayed(entry) > slack;
   }
   if (has_strayed) fill_grid(cell);
   grid_.flow_with(cell);

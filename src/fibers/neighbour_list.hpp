@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "base/threads.hpp"
@@ -116,9 +115,7 @@ class NeighbourList {
   double strain_at_fill_ = 0;            // when the grid was filled
   IndexedVector<NodeIndex, std::uint8_t> is_leaving_;
   std::vector<RodIndex> leaving_;
-  /// A leaving rod: its chunk and its entry.
-  using Listing = std::pair<Index, RodGrid::Entry>;
-  std::vector<Listing> to_list_;
+  std::vector<RodGrid::Entry> to_list_;   // of the leaving rods, in order
   std::vector<std::size_t> chunk_begin_;  // in to_list_
   Outlook outlook_;
   double range_ = 0;

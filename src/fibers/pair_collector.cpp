@@ -36,10 +36,11 @@ void PairCollector::list(Bins bins, RodPairs& pairs) {
   pairs.clear();
   pairs_ = &pairs;
   is_renewing_ = false;
+  const double reach = list_.widest();
   for (const RodGrid::Bin bin : bins) {
     const IndexRange<Entry> entries = list_.grid_.entries(bin);
     if (entries.size() == 0) continue;
-    list_.grid_.runs_ahead(bin, list_.widest(), candidates_.runs);
+    list_.grid_.runs_ahead(bin, reach, candidates_.runs);
     make_room();
     for (const Entry entry : entries) {
       // The first run begins with the entry's own bin, whose earlier entries have met this one.
@@ -50,12 +51,13 @@ void PairCollector::list(Bins bins, RodPairs& pairs) {
   pairs.pad();
 }
 
-void PairCollector::add(std::span<const std::pair<Index, Entry>> entries, RodPairs& pairs) {
+void PairCollector::add(std::span<const Entry> entries, RodPairs& pairs) {
   pairs.unpad();
   pairs_ = &pairs;
   is_renewing_ = true;
-  for (const auto& [chunk, entry] : entries) {
-    list_.grid_.runs_around(entry, list_.reach_of_strayed(), candidates_.runs);
+  const double reach = list_.reach_of_strayed();
+  for (const Entry entry : entries) {
+    list_.grid_.runs_around(entry, reach, candidates_.runs);
     make_room();
     collect(entry);
   }

@@ -20,7 +20,7 @@ class PairCollector {
   /// Lists every pair whose first entry lies in the bins.
   void list(Bins bins, RodPairs& pairs);
   /// Adds the pairs of entries whose rods are listed anew; of two such rods the first one adds the pair.
-  void add(std::span<const std::pair<Index, Entry>> entries, RodPairs& pairs);
+  void add(std::span<const Entry> entries, RodPairs& pairs);
 
  private:
   void make_room();
