@@ -86,7 +86,7 @@ struct FillingState {
   std::vector<double> filled;     ///< by node: share of the control volume that is filled, 0 to 1
   std::vector<double> excess;     ///< by node: volume that has found no room yet, m³
   std::vector<double> fill_time;  ///< by node, s; NaN where melt has not arrived; of half the control volume
-  std::vector<double> pressure;   ///< by node, Pa
+  std::vector<double> pressure;   ///< by node, Pa; while all melt settles, that which the machine made last
   std::vector<Vec2> gradient;     ///< by node: of the pressure at the last solution, in its frame, Pa/m
   std::vector<Vec2> inflow;       ///< by node: sum of inflow times direction while it filled, m³
   std::vector<NodeMark> mark;     ///< by node

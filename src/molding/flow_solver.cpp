@@ -164,11 +164,12 @@ Vec2 FlowSolver::gradient_at(const FillingState& state, const FlowField& field, 
   return det > 0 ? Vec2((yy * x - xy * y) / det, (xx * y - xy * x) / det) : Vec2(x, y);
 }
 
-double FlowSolver::update_melt(FillingState& state, std::span<const double> stretching, FlowField& field) {
+double FlowSolver::update_melt(const Drive& drive, std::span<const double> stretching, FillingState& state,
+                               FlowField& field) {
   const std::size_t layers = layers_->count();
   parallel_for(static_cast<std::ptrdiff_t>(mesh_->node_count()), [&](std::size_t node) {
     if (field.wet[node] == 0) return;
-    state.pressure[node] = field.pressure[node];
+    if (drive.rate > 0) state.pressure[node] = field.pressure[node];
     field.gradient[node] = gradient_at(state, field, node);
     const double stress = field.gradient[node].norm() * mesh_->thickness(node) / 2;  // at the wall
     for (std::size_t k = 0; k < layers; ++k)
@@ -204,7 +205,7 @@ void FlowSolver::solve(FillingState& state, const Drive& drive, std::span<const 
     update_fluxes(field);
     if (!std::isfinite(field.sprue_pressure))
       throw SimulationFailure("the pressure is not finite", {state.steps, state.time, -1, 0});
-    if (update_melt(state, stretching, field) < params_->numerics.viscosity_tolerance) break;
+    if (update_melt(drive, stretching, state, field) < params_->numerics.viscosity_tolerance) break;
   }
 }
 

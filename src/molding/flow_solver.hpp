@@ -15,7 +15,7 @@ namespace fiberfate {
 
 /// What drives the flow in one step.
 struct Drive {
-  double rate = 0;      ///< that the machine aims at, m³/s
+  double rate = 0;      ///< that the machine aims at, m³/s; 0: all melt is in and settles
   double pressure = 0;  ///< at the sprue that it does not exceed, Pa
   double duration = 0;  ///< over which volume in excess shall find room, s
 };
@@ -52,8 +52,10 @@ class FlowSolver {
   void apply_drive(const Drive& drive, FlowField& field);
   void update_fluxes(FlowField& field) const;
   [[nodiscard]] Vec2 gradient_at(const FillingState& state, const FlowField& field, std::size_t node) const;
-  /// Updates gradients, rates and viscosities; returns the largest change of a fluidity.
-  double update_melt(FillingState& state, std::span<const double> stretching, FlowField& field);
+  /// Updates gradients, rates, viscosities, and pressures unless melt settles: what moves it then is no
+  /// pressure of the machine. Returns the largest change of a fluidity.
+  double update_melt(const Drive& drive, std::span<const double> stretching, FillingState& state,
+                     FlowField& field);
 
   const ShellMesh* mesh_;
   const FillingParams* params_;
