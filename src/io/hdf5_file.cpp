@@ -172,6 +172,13 @@ std::uint64_t Hdf5File::columns(const std::string& name) const {
   return Lengths(open_dataset(id_, action), action).lengths[1];
 }
 
+void Hdf5File::require_columns(const std::string& name, std::uint64_t wanted) const {
+  const std::uint64_t found = columns(name);
+  if (found != wanted)
+    throw StorageError(fmt::format("cannot read {}: dataset {} has rows of {} numbers where {} belong", path_,
+                                   name, found, wanted));
+}
+
 TableLayout Hdf5File::layout(const std::string& name) const {
   const Hdf5Action action{"cannot read", path_, name};
   const Hdf5Handle dataset = open_dataset(id_, action);

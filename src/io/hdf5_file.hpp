@@ -59,6 +59,8 @@ class Hdf5File {
   [[nodiscard]] std::uint64_t rows(const std::string& name) const;
   /// The numbers in a row: 1 for a one-dimensional dataset.
   [[nodiscard]] std::uint64_t columns(const std::string& name) const;
+  /// Raises StorageError unless every row has so many numbers.
+  void require_columns(const std::string& name, std::uint64_t wanted) const;
   /// Describes a dataset as make_table() would have made it.
   [[nodiscard]] TableLayout layout(const std::string& name) const;
   /// Lists the names directly inside a group, sorted.

@@ -1,10 +1,14 @@
 // Saves and restores runs as HDF5 files.
 #include "results/fiber_checkpoint.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "base/error.hpp"
+#include "fibers/state_check.hpp"
 #include "results/checkpoint_file.hpp"
 
 namespace fiberfate {
@@ -67,7 +71,21 @@ class Loader {
     for (const Index number : file_.read<Index>(name)) values.emplace_back(number);
   }
   void array(const std::string& name, std::vector<Vec3>& values) {
+    file_.require_columns(name, 3);
     values = vectors_of(file_.read<double>(name));
+  }
+  /// Reads a dataset of so many columns, and so many rows.
+  template <class T>
+  std::vector<T> table(const std::string& name, std::uint64_t columns) {
+    file_.require_columns(name, columns);
+    return file_.read<T>(name);
+  }
+  template <class T>
+  std::vector<T> table(const std::string& name, std::uint64_t columns, std::uint64_t rows) {
+    if (file_.rows(name) != rows)
+      throw StorageError(fmt::format("cannot read {}: dataset {} has {} rows where {} belong", file_.path(),
+                                     name, file_.rows(name), rows));
+    return table<T>(name, columns);
   }
   template <class T>
   void number(const std::string& group, const char* name, T& value) {
@@ -128,18 +146,18 @@ void write_rest(Hdf5File& file, const Checkpoint& checkpoint) {
   file.write_text("case", checkpoint.resolved_case);
 }
 
-void read_rest(const Hdf5File& file, Checkpoint& checkpoint) {
+void read_rest(const Hdf5File& file, Loader& loader, Checkpoint& checkpoint) {
   FiberState& state = checkpoint.state;
-  state.cell.lattice = Mat3(file.read<double>("state/lattice").data());
-  const auto boundary = file.read<std::uint8_t>("state/boundary");
+  state.cell.lattice = Mat3(loader.table<double>("state/lattice", 3, 3).data());
+  const auto boundary = loader.table<std::uint8_t>("state/boundary", 1, 3);
   for (std::size_t i = 0; i < 3; ++i)
-    state.cell.boundary[i] = boundary.at(i) == 1 ? Boundary::walls : Boundary::periodic;
-  const auto materials = file.read<double>("state/materials");
-  for (std::size_t i = 0; i + 2 < materials.size(); i += 3)
+    state.cell.boundary[i] = boundary[i] == 1 ? Boundary::walls : Boundary::periodic;
+  const auto materials = loader.table<double>("state/materials", 3);
+  for (std::size_t i = 0; i < materials.size(); i += 3)
     state.materials.push_back({materials[i], materials[i + 1], materials[i + 2]});
-  const auto seconds = file.read<double>("record/timings");
+  const auto seconds = loader.table<double>("record/timings", 1, phase_count);
   for (std::size_t phase = 0; phase < phase_count; ++phase)
-    checkpoint.record.times.add(static_cast<Phase>(phase), seconds.at(phase));
+    checkpoint.record.times.add(static_cast<Phase>(phase), seconds[phase]);
   checkpoint.resolved_case = file.read_text("case");
 }
 
@@ -159,6 +177,34 @@ bool is_whole(const FiberState& state) {
          state.first_node.size() == fibers + 1 && state.birth_node.size() == fibers &&
          state.material_id.size() == fibers && state.touches_previous.size() == fibers &&
          has_ordered_nodes(state);
+}
+
+/// Whether nothing is counted or timed that cannot be.
+bool is_countable(const Checkpoint& checkpoint) {
+  const FiberState& state = checkpoint.state;
+  const RunRecord& record = checkpoint.record;
+  const std::int64_t counts[] = {state.step,    state.rod_steps,    state.breakage_checks,
+                                 state.breaks,  record.series_rows, record.break_rows,
+                                 record.frames, record.rejections};
+  const double seconds[] = {state.time, state.step_size, record.wall_s, record.cpu_s};
+  return std::all_of(std::begin(counts), std::end(counts), [](std::int64_t count) { return count >= 0; }) &&
+         std::all_of(std::begin(seconds), std::end(seconds),
+                     [](double one) { return one >= 0 && std::isfinite(one); });
+}
+
+/// Compares the parts of a checkpoint with each other and with what a run can leave: damage that checksums do
+/// not see is caught here.
+void require_whole(const std::string& path, const Checkpoint& checkpoint) {
+  const auto refuse = [&path](const std::string& reason) {
+    throw StorageError("cannot read " + path + ": " + reason);
+  };
+  if (!is_whole(checkpoint.state)) refuse("its arrays do not belong together");
+  if (!is_countable(checkpoint)) refuse("a count or a time is negative or not finite");
+  try {
+    require_sound(checkpoint.state);
+  } catch (const InputError& fault) {
+    refuse(fault.problems().front().complaint);
+  }
 }
 
 /// Fills a new checkpoint file.
@@ -183,9 +229,8 @@ Checkpoint read_checkpoint(const std::string& path) {
   Loader loader(file);
   visit_state(loader, checkpoint.state);
   visit_record(loader, checkpoint.record);
-  read_rest(file, checkpoint);
-  if (!is_whole(checkpoint.state))
-    throw StorageError("cannot read " + path + ": its arrays do not belong together");
+  read_rest(file, loader, checkpoint);
+  require_whole(path, checkpoint);
   return checkpoint;
 }
 

@@ -103,11 +103,7 @@ class Loader {
   void rows(const char* name, std::vector<T>& things) {
     using Row = decltype(row_of(things.front()));
     constexpr std::size_t columns = std::tuple_size_v<Row>;
-    if (file_.columns(name) != columns)
-      throw StorageError(
-          fmt::format("cannot read {}: dataset {} has rows of {} numbers where {} belong: continue from an "
-                      "older checkpoint, or run the case again",
-                      file_.path(), name, file_.columns(name), columns));
+    file_.require_columns(name, columns);
     const auto numbers = file_.read<typename Row::value_type>(name);
     for (std::size_t i = 0; i < numbers.size(); i += columns) {
       Row row = {};

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "base/error.hpp"
 #include "reference/bitwise_state.hpp"
@@ -87,6 +89,24 @@ TEST_F(CheckpointTest, IsRefusedWhereAFiberHasNoRod) {
     damaged.state.first_node[FiberIndex(1)] = NodeIndex(begin);
     write_checkpoint(path_, damaged);
     EXPECT_THROW(static_cast<void>(read_checkpoint(path_)), StorageError) << begin;
+  }
+}
+
+// Checksums do not see what whole datasets of other content are.
+TEST_F(CheckpointTest, IsRefusedWhereNumbersCannotBeThoseOfARun) {
+  const std::function<void(Checkpoint&)> damages[] = {
+      [](Checkpoint& c) { c.state.cell.lattice.col(2).setZero(); },
+      [](Checkpoint& c) { c.state.position[NodeIndex(1)].x() = std::nan(""); },
+      [](Checkpoint& c) { c.state.material_id.back() = 7; },
+      [](Checkpoint& c) { c.state.time = -1; },
+      [](Checkpoint& c) { c.state.step_size = std::nan(""); },
+      [](Checkpoint& c) { c.record.series_rows = -3; },
+  };
+  for (std::size_t which = 0; which < std::size(damages); ++which) {
+    Checkpoint damaged = sample();
+    damages[which](damaged);
+    write_checkpoint(path_, damaged);
+    EXPECT_THROW(static_cast<void>(read_checkpoint(path_)), StorageError) << which;
   }
 }
 
