@@ -235,6 +235,11 @@ void add_result_commands(CLI::App& app, Commands& commands) {
   import_case->callback([&commands] { commands.status = run_import(commands.import_case); });
 }
 
+constexpr const char* resume_keeps_the_case =
+    "'resume' goes on with the case as it was: to change keys of a cell from here on, start the changed case "
+    "from the saved fibers: fiberfate run CASE.toml --out NEW --set KEY=VALUE --set cluster.source=file "
+    "--set cluster.file=/path/to/DIR/checkpoint.h5";
+
 /// States what is wrong with a command line that CLI11 refused, with the nearest option or command.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error,
                     const std::vector<std::string>& words) {
@@ -254,6 +259,8 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error,
   for (const std::string& word : words) {
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || std::find(options.begin(), options.end(), name) != options.end()) continue;
+    if (command->get_name() == "resume" && (name == "--set" || name == "--variant"))
+      return resume_keeps_the_case;
     const std::string nearest = nearest_word(name, options);
     return fmt::format("unknown option '{}': {}", name,
                        nearest.empty() ? fmt::format("the options are {}", fmt::join(options, ", "))

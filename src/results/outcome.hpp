@@ -36,6 +36,7 @@ struct Outcome {
   std::vector<NamedTable> tables = {};
   std::vector<NamedFrames> frames = {};
   std::vector<NamedPrisms> prisms = {};
+  std::vector<std::string> headlines = {};  ///< what came out, a line each: "L_N 1.2 mm, L_W 2.1 mm"
 
   /// Finds a table by name; raises StorageError when there is none.
   [[nodiscard]] const CsvTable& table(const std::string& name) const;

@@ -137,6 +137,32 @@ def test_steps_and_until_stop_early(tmp_path):
     assert column(tmp_path / "until", "time_s")[-1] == 2.5e-3
 
 
+def test_the_last_lines_say_what_came_out_and_what_to_do_next(tmp_path):
+    case = write_case(tmp_path)
+    folder = tmp_path / "my result"
+    stopped = run("run", case, "--out", folder, "--steps", 5)
+    headline, step = stopped.stdout.splitlines()
+    found = summary(folder)
+    assert headline.startswith(f"L_N {1e3 * found['L_N_m']:.4g} mm, L_W {1e3 * found['L_W_m']:.4g} mm, a_11 ")
+    assert step == f"stopped after the steps of --steps; go on: fiberfate resume '{folder}'"
+    until = run("resume", folder, "--until", "2 ms").stdout.splitlines()[-1]
+    assert until == f"stopped at the time of --until; go on: fiberfate resume '{folder}'"
+    done = run("resume", folder).stdout.splitlines()
+    assert done[0].endswith(f"{summary(folder)['breaks']} breaks after 0.02 s")
+    assert done[-1] == f"result in {folder}; look at it: fiberfate report '{folder}'"
+    assert done[0] in (folder / "log.txt").read_text(encoding="utf-8")
+
+
+def test_a_changed_case_starts_from_saved_fibers(tmp_path):
+    case = write_case(tmp_path)
+    run("run", case, "--out", tmp_path / "slow", "--until", "2 ms")
+    refused = run("resume", tmp_path / "slow", "--set", "flow.rate=400", expect=2)
+    assert "fiberfate run CASE.toml" in refused.stderr and "cluster.file=" in refused.stderr
+    run("run", case, "--out", tmp_path / "fast", "--steps", 1, "--set", "flow.rate=400", "--set", "cluster.source=file",
+        "--set", f"cluster.file={tmp_path / 'slow' / 'checkpoint.h5'}")
+    assert column(tmp_path / "fast", "L_N_m")[0] == pytest.approx(column(tmp_path / "slow", "L_N_m")[-1], rel=1e-12)
+
+
 def test_default_folder_is_named_after_the_case(tmp_path):
     write_case(tmp_path)
     (tmp_path / "case.toml").rename(tmp_path / "shear.toml")

@@ -153,9 +153,9 @@ Outcome compute_attrition(const AttritionCase& values, Session& session) {
   Outcome outcome;
   outcome.summary.simulated_s = values.run.duration;
   compute_lengths(values, session, outcome);
-  session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm after {:.4g} s",
-                                      1e3 * outcome.summary.number_average.value_or(0),
-                                      1e3 * outcome.summary.weight_average.value_or(0), values.run.duration));
+  outcome.headlines.push_back(fmt::format(
+      "L_N {:.4g} mm, L_W {:.4g} mm after {:.4g} s", 1e3 * outcome.summary.number_average.value_or(0),
+      1e3 * outcome.summary.weight_average.value_or(0), values.run.duration));
   return outcome;
 }
 

@@ -53,9 +53,7 @@ class OneFit {
   /// Shows that the run is alive and lets it be stopped, where a prediction is a filling; elsewhere a fit
   /// takes a moment, but may be stopped, too.
   void show_in(const Session& session) {
-    const std::string name =
-        prefix_.empty() ? "all moldings" : values_.conditions.names[series_.front().condition];
-    problem_.model = [model = problem_.model, &session, name, count = std::make_shared<int>(0)](
+    problem_.model = [model = problem_.model, &session, name = title(), count = std::make_shared<int>(0)](
                          std::span<const double> parameters, std::span<double> predictions) {
       session.end_if_stopped("stopped while fitting; resuming will fit again");
       session.show([&] { return fmt::format("{}: {} predictions", name, *count); });
@@ -102,7 +100,23 @@ class OneFit {
     append_sweep(tables, summary);
   }
 
+  /// States in a line what was found: "shear: C_I 0.0031 [0.0029, 0.0034], R2 0.98".
+  [[nodiscard]] std::string headline() const {
+    std::vector<std::string> found;
+    for (const ParameterEstimate& one : result_.parameters)
+      if (one.outcome == ParameterOutcome::determined)
+        found.push_back(fmt::format("{} {:.4g} [{:.4g}, {:.4g}]", one.name, one.value, one.interval.lower,
+                                    one.interval.upper));
+    if (found.empty()) found.emplace_back("the data determine no parameter");
+    return fmt::format("{}: {}", title(), fmt::join(found, ", "));
+  }
+
  private:
+  /// What is fitted, for people.
+  [[nodiscard]] std::string title() const {
+    return prefix_.empty() ? "all conditions" : values_.conditions.names[series_.front().condition];
+  }
+
   void add(RunSummary& summary, const std::string& key, SummaryValue value) const {
     summary.own.emplace_back(prefix_ + key, std::move(value));
   }
@@ -337,10 +351,10 @@ Outcome compute_calibration(const CalibrationCase& values, Session& session) {
     OneFit fit(values, name, std::move(some));
     fit.show_in(session);
     fit.run(tables, summary, session.recorder());
+    outcome.headlines.push_back(fit.headline());
   }
   session.end_progress();
   outcome.tables = named(std::move(tables));
-  session.recorder().note("fitted");
   return outcome;
 }
 

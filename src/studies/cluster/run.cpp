@@ -141,8 +141,16 @@ void keep_checkpoint(const Cluster& cluster, const Session& session) {
   save_checkpoint(session.recorder(), checkpoint);
 }
 
+std::string headline(const Cluster& cluster) {
+  const std::string packed = fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
+                                         100 * volume_fraction(cluster.state));
+  if (!cluster.relaxed || cluster.relaxed->end != RelaxationEnd::met) return packed;
+  return packed + fmt::format(", relaxed in {:.4g} ms", 1e3 * cluster.relaxed->simulated);
+}
+
 Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   Outcome outcome;
+  outcome.headlines.push_back(headline(cluster));
   RunSummary& summary = outcome.summary;
   describe_fibers(summary, cluster.state);
   summary.seed = values.run.seed;
@@ -155,16 +163,10 @@ Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   return outcome;
 }
 
-/// Logs in a line what came out, and warns of what did not.
-void tell(const Cluster& cluster, Recorder& log) {
-  log.note(fmt::format("packed {} fibers, {:.4g} % by volume", cluster.state.fiber_count(),
-                       100 * volume_fraction(cluster.state)));
+/// Warns of what did not come out as wanted.
+void warn_of_shortfalls(const Cluster& cluster, Recorder& log) {
   warn_of_sinking_in(cluster.packing, log);
-  if (!cluster.relaxed) return;
-  if (cluster.relaxed->end == RelaxationEnd::met) {
-    log.note(fmt::format("relaxed in {:.4g} ms", 1e3 * cluster.relaxed->simulated));
-    return;
-  }
+  if (!cluster.relaxed || cluster.relaxed->end == RelaxationEnd::met) return;
   log.warn(
       fmt::format("relaxing ended ({}) after {:.4g} ms at an overlap of {:.3g} diameters and a radius of "
                   "{:.4g} um",
@@ -184,7 +186,7 @@ Outcome compute_cluster(const ClusterCase& values, Session& session) {
   try {
     const Cluster cluster = make_cluster(values, session);
     keep_checkpoint(cluster, session);
-    tell(cluster, recorder);
+    warn_of_shortfalls(cluster, recorder);
     return outcome_of(values, cluster);
   } catch (const SimulationFailure& failure) {
     recorder.error(failure.what());

@@ -132,13 +132,13 @@ Outcome compute_measurement(const MeasurementCase& values, Session& session) {
   summary.seed = static_cast<std::uint64_t>(values.statistics.seed);
   if (!values.lengths.file.empty()) {
     evaluate_lengths(values, outcome, session);
-    session.recorder().note(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * *summary.number_average,
-                                        1e3 * *summary.weight_average));
+    outcome.headlines.push_back(fmt::format("L_N {:.4g} mm, L_W {:.4g} mm", 1e3 * *summary.number_average,
+                                            1e3 * *summary.weight_average));
   }
   if (!values.orientation.file.empty()) {
     evaluate_directions(values, outcome, session);
     const Vec3 diagonal = summary.orientation->diagonal();
-    session.recorder().note(
+    outcome.headlines.push_back(
         fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
   }
   return outcome;

@@ -155,6 +155,9 @@ Outcome MoldingRun::finish(StopReason reason) {
   summary.wall_s = now.wall_s;
   summary.cpu_s = now.cpu_s;
   tell(reason);
+  outcome.headlines.push_back(fmt::format("{:.4g} % filled after {:.4g} s, at most {:.4g} MPa at the sprue",
+                                          100 * filling_.filled_fraction(), state.time,
+                                          1e-6 * greatest_pressure_));
   return outcome;
 }
 

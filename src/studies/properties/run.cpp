@@ -21,7 +21,7 @@ void append_constants(RunSummary& summary, const std::string& prefix,
 
 }  // namespace
 
-Outcome compute_properties(const PropertiesCase& values, Session& session) {
+Outcome compute_properties(const PropertiesCase& values, Session&) {
   Outcome outcome;
   RunSummary& summary = outcome.summary;
   const auto [material, aligned, part, modulus] = predict(values);
@@ -32,7 +32,7 @@ Outcome compute_properties(const PropertiesCase& values, Session& session) {
   append_constants(summary, "aligned_", aligned);
   outcome.tables.push_back({"modulus", modulus});
   const EngineeringConstants c = engineering_constants(part.stiffness);
-  session.recorder().note(
+  outcome.headlines.push_back(
       fmt::format("E_1 {:.4g} GPa, E_2 {:.4g} GPa, E_3 {:.4g} GPa", 1e-9 * c.e1, 1e-9 * c.e2, 1e-9 * c.e3));
   return outcome;
 }

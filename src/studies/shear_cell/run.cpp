@@ -57,6 +57,14 @@ class ShearCellRun {
   double begin_wall_;  ///< of the session, s
 };
 
+/// States in a line what became of the fibers.
+std::string headline(const RunSummary& summary) {
+  const Mat3& a2 = summary.orientation.value();
+  return fmt::format("L_N {:.4g} mm, L_W {:.4g} mm, a_11 {:.3f}, {} breaks after {:.6g} s",
+                     1e3 * summary.number_average.value(), 1e3 * summary.weight_average.value(), a2(0, 0),
+                     summary.breaks.value(), summary.simulated_s.value());
+}
+
 OutputSchedule series_schedule(const ShearCellCase& values) {
   return {series_interval(values.run, values.output), values.output.times};
 }
@@ -186,7 +194,9 @@ Outcome ShearCellRun::finish(const RunOutcome& outcome) {
   const FiberState& state = simulation_.state();
   session_.recorder().note(fmt::format("stopped ({}) at {:.9g} s after {} steps, {} breaks",
                                        name(outcome.reason), state.time, state.step, state.breaks));
-  return {summarise(outcome)};
+  Outcome found{summarise(outcome)};
+  found.headlines.push_back(headline(found.summary));
+  return found;
 }
 
 RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
