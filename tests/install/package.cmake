@@ -8,6 +8,12 @@ run("${CPACK}" --config "${BUILD}/CPackConfig.cmake" -G DEB -B "${work}")
 file(GLOB package "${work}/fiberfate_*.deb")
 run(dpkg-deb --extract "${package}" "${root}")
 run("${root}/usr/bin/fiberfate" --version)
+foreach(file man/man1/fiberfate.1 bash-completion/completions/fiberfate zsh/vendor-completions/_fiberfate
+        fish/vendor_completions.d/fiberfate.fish)
+  if(NOT EXISTS "${root}/usr/share/${file}")
+    message(FATAL_ERROR "the package lacks share/${file}")
+  endif()
+endforeach()
 check_c_programs("${root}/usr" "${work}")
 
 # The package that brings each library that a program or the library in C needs.
