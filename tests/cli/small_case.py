@@ -66,9 +66,12 @@ def write_case(folder, text=CASE, **fibers):
     return str(folder / "case.toml")
 
 
+LONGEST = 1200  # seconds that a run may take before it counts as hanging: sanitizers and busy machines are slow
+
+
 def run(*words, expect=0, **options):
     """Runs the program and returns what it did; `expect` is its exit status."""
-    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=300, check=False, **options)
+    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=LONGEST, check=False, **options)
     assert done.returncode == expect, f"{words}: status {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done
 

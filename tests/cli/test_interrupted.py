@@ -89,12 +89,13 @@ def test_studies_without_checkpoints_stop_for_a_signal_and_begin_again(tmp_path,
         time.sleep(0.01)
     time.sleep(0.2)
     process.send_signal(signal.SIGTERM)
-    _, words = process.communicate(timeout=60)
+    _, words = process.communicate(timeout=300)
     assert process.returncode == 4 and "stopped; resuming begins again" in words
     process = subprocess.Popen([PROGRAM, "resume", tmp_path / "r"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(1)
+    said = process.stderr.readline()
     process.kill()
-    assert "there is no checkpoint to go on from: the run begins again" in process.communicate(timeout=60)[1]
+    process.communicate(timeout=300)
+    assert "there is no checkpoint to go on from: the run begins again" in said
 
 
 def moved(result, waiting):
