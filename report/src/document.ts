@@ -37,13 +37,34 @@ export interface FactsSection extends SectionBase {
   rows: Fact[];
 }
 
+/** A fact of several runs. */
+export interface ComparedFact {
+  label: string;
+  unit?: string;
+  headline?: boolean;
+  /** One a run; of replicas their mean. */
+  values: (string | Value)[];
+  /** The least and the largest of replicas. */
+  low?: Value[];
+  high?: Value[];
+}
+export interface ComparisonSection extends SectionBase {
+  kind: "comparison";
+  runs: string[];
+  rows: ComparedFact[];
+}
+
 export interface Series {
   label: string;
   values: Value[];
   x?: Value[];
-  style?: "line" | "dashed" | "points";
+  /** Closed outlines are filled; a missing value ends one. */
+  style?: "line" | "dashed" | "points" | "filled";
+  /** Bounds of a band, of points those of a bar each. */
   low?: Value[];
   high?: Value[];
+  /** Number of its colour, from 0; without it that of its place in the list. */
+  colour?: number;
 }
 export interface LinesSection extends SectionBase {
   kind: "lines" | "scatter";
@@ -52,6 +73,8 @@ export interface LinesSection extends SectionBase {
   series: Series[];
   /** A unit is as long on x as on y: for pictures of things. */
   equal?: boolean;
+  /** The legend tells names alone: where values at a place say nothing. */
+  legend?: "names";
 }
 
 export interface HistogramFrame {
@@ -82,6 +105,14 @@ export interface HeatmapSection extends SectionBase {
   values: Value[][];
   label?: string;
   unit?: string;
+  /** What the colours span; without it from the least value to the largest. */
+  range?: [number, number];
+  /** `diverging` tells what lies below and above the middle of the range apart. */
+  colours?: "sequential" | "diverging";
+  /** Every value is written into its cell. */
+  written?: boolean;
+  /** A unit is as long on x as on y. */
+  equal?: boolean;
 }
 
 /** One state of the cell; binary parts are base64 of little-endian numbers, lengths in metres. */
@@ -166,6 +197,7 @@ export interface ShellSection extends SectionBase {
 
 export type Section =
   | FactsSection
+  | ComparisonSection
   | LinesSection
   | HistogramSection
   | TableSection

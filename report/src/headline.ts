@@ -1,6 +1,6 @@
 // Which few numbers stand on top of the page, and what became of each in the course of the run.
-import { type Fact, is_number, type LinesSection, type ReportDocument, type Series, type Value } from "./document";
-import { outcome_facts } from "./layout";
+import { type ComparedFact, type Fact, is_number, type LinesSection, type ReportDocument, type Series, type Value } from "./document";
+import { compared_outcomes, outcome_facts } from "./layout";
 
 export interface Headline {
   label: string;
@@ -58,4 +58,15 @@ export function choose_headlines(found: ReportDocument): Headline[] {
   const headlines = candidates.map((fact) => headline_of(found, fact)).filter((one): one is Headline => one !== undefined);
   if (marked.length > 0) return headlines;
   return [...headlines.filter((one) => one.course), ...headlines.filter((one) => !one.course)].slice(0, most_headlines);
+}
+
+const most_compared = 4;
+
+/** Chooses what of several runs stands on top: the headlines, or else numbers in which the runs differ. */
+export function choose_compared(found: ReportDocument): { fact: ComparedFact; runs: string[] }[] {
+  const all = compared_outcomes(found).flatMap(({ rows, runs }) => rows.map((fact) => ({ fact, runs })));
+  const marked = all.filter(({ fact }) => fact.headline);
+  const differs = ({ fact }: { fact: ComparedFact }): boolean =>
+    fact.values.every(is_number) && fact.values.some((value) => value !== fact.values[0]);
+  return (marked.length > 0 ? marked : all.filter(differs)).slice(0, most_compared);
 }

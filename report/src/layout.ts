@@ -1,5 +1,5 @@
 // Where the sections of a document stand on the page: picture, outcome, charts, and what is folded away.
-import type { FactsSection, ReportDocument, Role, Section } from "./document";
+import type { ComparisonSection, FactsSection, ReportDocument, Role, Section } from "./document";
 
 /** Facts and charts of documents that do not say a role: what a reader looks up, not what a reader comes for. */
 const known_details = new Set(["asked", "effort", "step", "flow", "timings"]);
@@ -9,7 +9,8 @@ function role_by_kind(section: Section): Role {
   switch (section.kind) {
     case "fibers":
     case "shell": return "picture";
-    case "facts": return "outcome";
+    case "facts":
+    case "comparison": return "outcome";
     case "table": return section.columns.length > widest_beside_a_chart ? "wide" : "chart";
     default: return "chart";
   }
@@ -35,4 +36,9 @@ export function arrange(sections: Section[]): Section[] {
 /** Gives the facts from which headlines are chosen. */
 export function outcome_facts(found: ReportDocument): FactsSection[] {
   return found.sections.filter((section): section is FactsSection => section.kind === "facts" && role_of(section) === "outcome");
+}
+
+/** Gives the results of several runs from which headlines are chosen. */
+export function compared_outcomes(found: ReportDocument): ComparisonSection[] {
+  return found.sections.filter((section): section is ComparisonSection => section.kind === "comparison" && role_of(section) === "outcome");
 }

@@ -43,6 +43,8 @@ type Rgb = [number, number, number];
 const maps = {
   viridis: ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"],
   tide: ["#f0b440", "#a9bf4e", "#4fae7b", "#2a8f9e", "#3277b5", "#4a57b4"],
+  // Blue below the middle, red above it; the middle is pale in both schemes, and what is written on it dark.
+  diverging: ["#2166ac", "#6ba3cf", "#c9dfee", "#f4f4f2", "#fbd5c0", "#e58368", "#b2182b"],
   ember: ["#b3c0ce", "#cdbb9c", "#e3a85c", "#dd7a36", "#c94a2b", "#a3222a", "#7a1230"],
 };
 export type ColourMap = keyof typeof maps;

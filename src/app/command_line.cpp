@@ -204,9 +204,21 @@ void add_run_commands(CLI::App& app, Commands& commands) {
 }
 
 void add_result_commands(CLI::App& app, Commands& commands) {
-  CLI::App* report = app.add_subcommand("report", "Write the report of a result, DIR/report.html");
-  report->footer("Example:\n  fiberfate report results/fast");
-  report->add_option("dir", commands.report.folder, "The result folder")->required()->type_name("DIR");
+  CLI::App* report = app.add_subcommand(
+      "report", "Write the report of a result, DIR/report.html, or one page that compares several");
+  report->footer(
+      "Examples:\n  fiberfate report results/fast\n  fiberfate report results/fast results/slow --out "
+      "comparison.html");
+  report
+      ->add_option("dir", commands.report.folders,
+                   "The result folder; several of one study: a comparison, a line a run, "
+                   "replicas that differ in their seeds as a band")
+      ->required()
+      ->type_name("DIR");
+  report
+      ->add_option("--out", commands.report.out,
+                   "The page; of several results comparison.html in the folder that holds them all")
+      ->type_name("FILE");
   report->callback([&commands] { commands.status = run_report(commands.report); });
 
   CLI::App* export_result = app.add_subcommand("export", "Write a result in another format");

@@ -1,51 +1,63 @@
-// Writes the report of a result.
+// Writes the report of a result, or the comparison of several.
 #include "app/command_report.hpp"
-
-#include "app/study_registry.hpp"
-#include "base/error.hpp"
 
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <optional>
+#include <fstream>
+#include <string>
 
-#include "base/version.hpp"
+#include "app/comparison.hpp"
+#include "base/error.hpp"
 #include "io/atomic_file.hpp"
-#include "keys/case_file.hpp"
-#include "results/report_document.hpp"
-#include "results/result_folder.hpp"
-#include "results/summary.hpp"
 
 namespace fiberfate {
-
 namespace {
 
-/// The name of the folder also where its path ends in a slash or is ".".
-std::string folder_name(const std::string& path) {
-  const std::filesystem::path whole = std::filesystem::weakly_canonical(path);
-  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+[[noreturn]] void refuse_foreign(const std::string& path) {
+  throw InputError(path + " is there already, and fiberfate did not make it", "move it away");
+}
+
+/// Whether a file holds a document of ours, as every report does.
+bool is_report(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  return text.find("id=\"fiberfate-document\"") != std::string::npos;
+}
+
+/// Writes a page where the user wants it; only reports are replaced.
+void write_page(const std::string& path, const std::string& page) {
+  if (std::filesystem::is_directory(path))
+    throw InputError(path + " is a folder", "name the page, --out " + path + "/comparison.html");
+  if (std::filesystem::exists(path) && !is_report(path)) refuse_foreign(path);
+  replace_file(path, page);
+}
+
+/// Writes the report into the result folder, where it is recorded.
+std::string write_report(const ResultFolder& folder) {
+  const std::string page = render_report(report_of(folder));
+  if (std::filesystem::exists(folder.report()) && !recorded_files(folder.path()).contains("report.html"))
+    refuse_foreign(folder.report());
+  record_file(folder.path(), "report.html");
+  replace_file(folder.report(), page);
+  return folder.report();
 }
 
 }  // namespace
 
 int run_report(const ReportOptions& options) {
-  const ResultFolder folder = ResultFolder::open(options.folder);
-  const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
-  if (!std::filesystem::exists(folder.summary()) && !std::filesystem::exists(folder.frames()))
-    throw InputError(folder.path() + " has nothing to show: the run ended before its first result",
-                     "continue it with 'fiberfate resume', or run the case again");
-  ReportDocument document = study_of(loaded).report(loaded.values, folder);
-  document.case_name = folder_name(folder.path());
-  document.study = loaded.kind->name;
-  document.version = version;
-  const std::optional<SummaryFile> summary = read_summary(folder.summary());
-  document.stop_reason = summary ? summary->text("stop_reason") : "unfinished";
-  const std::string page = render_report(document);
-  if (std::filesystem::exists(folder.report()) && !recorded_files(folder.path()).contains("report.html"))
-    throw InputError(folder.report() + " is there already, and fiberfate did not make it", "move it away");
-  record_file(folder.path(), "report.html");
-  replace_file(folder.report(), page);
-  fmt::print("report in {}\n", folder.report());
+  std::string path = options.out;
+  if (options.folders.size() > 1) {
+    if (path.empty()) path = comparison_path(options.folders);
+    write_page(path, render_report(compare_folders(options.folders)));
+  } else {
+    const ResultFolder folder = ResultFolder::open(options.folders.front());
+    if (path.empty())
+      path = write_report(folder);
+    else
+      write_page(path, render_report(report_of(folder)));
+  }
+  fmt::print("{} in {}\n", options.folders.size() > 1 ? "comparison" : "report", path);
   return 0;
 }
 

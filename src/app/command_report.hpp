@@ -2,14 +2,16 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace fiberfate {
 
 struct ReportOptions {
-  std::string folder;
+  std::vector<std::string> folders;
+  std::string out = {};  ///< the page; empty: report.html of one folder, comparison.html beside several
 };
 
-/// Writes folder/report.html; returns the exit status.
+/// Writes the report of a result, or the comparison of several; returns the exit status.
 int run_report(const ReportOptions& options);
 
 }  // namespace fiberfate

@@ -56,6 +56,8 @@ const char* name_of(CurveStyle style) {
       return "dashed";
     case CurveStyle::points:
       return "points";
+    case CurveStyle::filled:
+      return "filled";
     case CurveStyle::line:
       break;
   }
@@ -96,6 +98,30 @@ Json write_section(const FactsSection& section) {
   return json;
 }
 
+Json write_compared(const ComparedFact& fact) {
+  Json row{{"label", fact.label}, {"values", Json::array()}};
+  add_text(row, "unit", fact.unit);
+  if (fact.prominence == Prominence::headline) row["headline"] = true;
+  for (const ComparedValue& one : fact.values) {
+    row["values"].push_back(std::visit(ValueWriter{}, one.value));
+    row["low"].push_back(one.ends ? Json((*one.ends)[0]) : Json());
+    row["high"].push_back(one.ends ? Json((*one.ends)[1]) : Json());
+  }
+  if (std::ranges::none_of(fact.values, [](const ComparedValue& one) { return one.ends.has_value(); })) {
+    row.erase("low");
+    row.erase("high");
+  }
+  return row;
+}
+
+Json write_section(const ComparisonSection& section) {
+  Json json = start_section("comparison", section);
+  json["runs"] = section.runs;
+  json["rows"] = Json::array();
+  for (const ComparedFact& fact : section.rows) json["rows"].push_back(write_compared(fact));
+  return json;
+}
+
 Json write_series(const std::vector<ReportSeries>& all) {
   Json json = Json::array();
   for (const ReportSeries& series : all) {
@@ -103,6 +129,7 @@ Json write_series(const std::vector<ReportSeries>& all) {
     add_values(entry, "x", series.x);
     add_values(entry, "low", series.low);
     add_values(entry, "high", series.high);
+    if (series.colour) entry["colour"] = *series.colour;
     json.push_back(std::move(entry));
   }
   return json;
@@ -111,6 +138,7 @@ Json write_series(const std::vector<ReportSeries>& all) {
 Json write_section(const LinesSection& section) {
   Json json = start_section("lines", section);
   if (section.scales == LinesSection::Scales::equal) json["equal"] = true;
+  if (section.legend == LegendValues::none) json["legend"] = "names";
   json["x"] = write_axis(section.x);
   add_values(json["x"], "values", section.x_values);
   json["y"] = write_axis(section.y);
@@ -154,12 +182,16 @@ Json write_section(const TableSection& section) {
 Json write_section(const HeatmapSection& section) {
   Json json = start_section("heatmap", section);
   json["x"] = write_axis(section.x);
-  json["x"]["values"] = section.x_values;
+  add_values(json["x"], "values", section.x_values);
   json["y"] = write_axis(section.y);
-  json["y"]["values"] = section.y_values;
+  add_values(json["y"], "values", section.y_values);
   json["values"] = section.values;
   add_text(json, "label", section.label);
   add_text(json, "unit", section.unit);
+  if (section.range) json["range"] = *section.range;
+  if (section.colours == ColourScale::diverging) json["colours"] = "diverging";
+  if (section.cells == HeatmapSection::Cells::written) json["written"] = true;
+  if (section.scales == HeatmapSection::Scales::equal) json["equal"] = true;
   return json;
 }
 

@@ -36,8 +36,11 @@ enum class SectionRole { by_kind, picture, outcome, chart, wide, detail };
 /// Whether a fact is among the few that a reader wants first.
 enum class Prominence { ordinary, headline };
 
-/// How a curve is drawn.
-enum class CurveStyle { line, dashed, points };
+/// How a curve is drawn; filled: closed outlines, each ended by NaN.
+enum class CurveStyle { line, dashed, points, filled };
+
+/// What the legend of a chart tells beside names: values under the cursor and the last ones, or nothing.
+enum class LegendValues { shown, none };
 
 /// A labelled value: text, a number or a tensor.
 struct Fact {
@@ -57,14 +60,39 @@ struct FactsSection {
   SectionRole role = SectionRole::by_kind;
 };
 
+/// What one run, or the mean of its replicas, has of a fact that is compared.
+struct ComparedValue {
+  std::variant<double, std::string> value;
+  std::optional<std::array<double, 2>> ends = {};  ///< of replicas, the least and the largest
+};
+
+/// A fact of several runs.
+struct ComparedFact {
+  std::string label;
+  std::vector<ComparedValue> values;  ///< one a run
+  std::string unit = {};
+  Prominence prominence = Prominence::ordinary;
+};
+
+/// Sets facts of several runs side by side.
+struct ComparisonSection {
+  std::string id;
+  std::string title;
+  std::vector<std::string> runs;
+  std::vector<ComparedFact> rows;
+  std::string caption = {};
+  SectionRole role = SectionRole::by_kind;
+};
+
 /// One curve.
 struct ReportSeries {
   std::string label;
   std::vector<double> values;
   CurveStyle style = CurveStyle::line;
-  std::vector<double> x = {};     ///< its own x; empty: the section's
-  std::vector<double> low = {};   ///< lower edge of a band; empty: none
-  std::vector<double> high = {};  ///< upper edge of a band; empty: none
+  std::vector<double> x = {};      ///< its own x; empty: the section's
+  std::vector<double> low = {};    ///< lower edge of a band, of points lower ends of bars; empty: none
+  std::vector<double> high = {};   ///< upper edge or ends; empty: none
+  std::optional<int> colour = {};  ///< number of its colour; not given: of its place in the list
 };
 
 /// Shows curves over a common axis.
@@ -78,6 +106,7 @@ struct LinesSection {
   std::string caption = {};
   enum class Scales { independent, equal } scales = Scales::independent;  ///< equal: for pictures of things
   SectionRole role = SectionRole::by_kind;
+  LegendValues legend = LegendValues::shown;
 };
 
 /// The counts of one histogram.
@@ -118,6 +147,9 @@ struct TableSection {
   SectionRole role = SectionRole::by_kind;
 };
 
+/// How values of a field become colours; diverging: away from the middle of the range on both sides.
+enum class ColourScale { sequential, diverging };
+
 /// Shows a field over two axes.
 struct HeatmapSection {
   std::string id;
@@ -131,6 +163,10 @@ struct HeatmapSection {
   std::string unit = {};
   std::string caption = {};
   SectionRole role = SectionRole::by_kind;
+  std::optional<std::array<double, 2>> range = {};  ///< what the colours span; not given: the values
+  ColourScale colours = ColourScale::sequential;
+  enum class Cells { coloured, written } cells = Cells::coloured;  ///< written: with their values
+  enum class Scales { independent, equal } scales = Scales::independent;
 };
 
 /// The fibers at one time; all lengths in m.
@@ -233,8 +269,8 @@ struct ShellSection {
   std::optional<ShellLayers> layers = {};
 };
 
-using ReportSection = std::variant<FactsSection, LinesSection, HistogramSection, TableSection, HeatmapSection,
-                                   FibersSection, ShellSection>;
+using ReportSection = std::variant<FactsSection, ComparisonSection, LinesSection, HistogramSection,
+                                   TableSection, HeatmapSection, FibersSection, ShellSection>;
 
 /// Adds facts to facts, or sections of one kind to others.
 template <class Item, class Added>

@@ -10,14 +10,14 @@ import { Expect, plain_label } from "./checks/expect.mjs";
 import { check_fibers } from "./checks/fibers.mjs";
 import { check_heatmap, check_histogram } from "./checks/histogram.mjs";
 import { check_lines } from "./checks/lines.mjs";
-import { check_look, check_tiles, looks } from "./checks/page.mjs";
+import { check_compared_tiles, check_look, check_tiles, looks } from "./checks/page.mjs";
 import { check_shell } from "./checks/shell.mjs";
-import { check_facts, check_note, check_table } from "./checks/text.mjs";
+import { check_comparison, check_facts, check_note, check_table } from "./checks/text.mjs";
 import { fill_template } from "./fill_template.mjs";
 import { make_document } from "./fixture.mjs";
 
 const checks = {
-  facts: check_facts, lines: check_lines, scatter: check_lines, histogram: check_histogram, table: check_table,
+  facts: check_facts, comparison: check_comparison, lines: check_lines, scatter: check_lines, histogram: check_histogram, table: check_table,
   heatmap: check_heatmap, fibers: check_fibers, shell: check_shell,
 };
 
@@ -48,6 +48,7 @@ function open_report(browser, file, expect, { look = {}, allowed_error = /(?!)/ 
 async function check_page(page, found, expect) {
   expect.equal(await page.locator("h1").textContent(), plain_label(found.case ?? found.title), "title");
   await check_tiles(page, found, expect);
+  await check_compared_tiles(page, found, expect);
   await page.evaluate(() => document.querySelectorAll("details.fold").forEach((folded) => { folded.open = true; }));
   expect.equal(await page.locator("nav a").count(), found.sections.length, "entries of the contents");
   expect.equal(await page.locator("main section").count(), found.sections.length, "sections");

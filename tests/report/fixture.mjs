@@ -1,4 +1,5 @@
 // Makes a synthetic report document: a shear_cell run of 138 fibers that turn, bend and break, and a part that fills.
+import { make_charts } from "./chart_fixture.mjs";
 import { make_shell } from "./shell_fixture.mjs";
 
 /** A small deterministic generator (mulberry32): the fixture is the same on every machine. */
@@ -235,6 +236,7 @@ export function make_document({ fibers: count = 138, rods = 25, frames: frame_co
         kind: "table", id: "timings", title: "Where the time went", columns: [{ label: "phase" }, { label: "time", unit: "s" }, { label: "share", unit: "%" }],
         rows: [["neighbours", 1.21, 14.2], ["loads", 3.02, 35.4], ["solve", 3.4, 39.9], ["update", 0.5, 5.9], ["breakage", 0.11, 1.3], ["output", 0.28, null]],
       },
+      ...make_charts(random),
       { kind: "hologram", id: "later", title: "A kind of a later version" },
     ],
   };

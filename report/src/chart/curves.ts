@@ -5,7 +5,7 @@ import { pad_range } from "../figure/ticks";
 
 export interface Curve {
   label: string;
-  style: "line" | "dashed" | "points";
+  style: "line" | "dashed" | "points" | "filled";
   colour: number;
   visible: boolean;
   x: Value[];
@@ -44,7 +44,7 @@ export function make_curves(section: LinesSection): Curves {
   const curves = section.series.map((series, index): Curve => ({
     label: series.label,
     style: section.kind === "scatter" ? "points" : (series.style ?? "line"),
-    colour: index,
+    colour: series.colour ?? index,
     visible: true,
     x: scale_all(series.x ?? shared, x_unit.factor),
     y: scale_all(series.values, y_unit.factor),
@@ -106,7 +106,7 @@ export function range_of_x({ curves, x_names }: Curves, scale: Scale): [number, 
       max = Math.max(max, x);
     }
   }
-  const scattered = curves.every((curve) => curve.style === "points");
+  const scattered = curves.some((curve) => curve.style === "points") && curves.every((curve) => curve.style === "points" || curve.x.length < 3);
   return min < max && !scattered ? [min, max] : pad_range(min, max, scale);
 }
 

@@ -1,6 +1,6 @@
 // The legend of a chart: a button a curve that shows its value under the cursor and hides it on a click.
 import { make, make_label } from "../dom";
-import { is_number, type Value } from "../document";
+import { is_number, type LinesSection, type Value } from "../document";
 import { largest_magnitude, write_number } from "../format";
 import type { Palette } from "../palette";
 import type { Curve, Curves } from "./curves";
@@ -21,7 +21,7 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
     "button",
     { type: "button", "aria-pressed": "true", title: `Show or hide ${curve.label}` },
     make("span", { class: `mark ${curve.style}`, "aria-hidden": "true" }),
-    make("span", {}, make_label(curve.label)), value, unit,
+    make("span", {}, make_label(curve.label)), make("span", { class: "reading" }, value, unit ? ` ${unit}` : ""),
   );
   button.addEventListener("click", () => {
     curve.visible = !curve.visible;
@@ -34,10 +34,11 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
 const round_off = 1e-12;
 
 /** Makes the legend; `toggled` is called when a curve is shown or hidden. */
-export function make_legend(section: string, made: Curves, toggled: () => void): Legend {
-  const entries = made.curves.map((curve) => make_entry(section, curve, made.y_unit.unit, toggled));
+export function make_legend(section: LinesSection, made: Curves, toggled: () => void): Legend {
+  const entries = made.curves.map((curve) => make_entry(section.id, curve, made.y_unit.unit, toggled));
   const where = make("span", { class: "where", "aria-live": "off" });
-  const element = make("div", { class: "legend" }, ...entries.map(([button]) => button), where);
+  const names = section.legend === "names";
+  const element = make("div", { class: names ? "legend names" : "legend" }, ...entries.map(([button]) => button), where);
   const largest = largest_magnitude(made.curves.flatMap(({ y }) => y));
   // What is left of a difference by round-off is told as nothing.
   const quiet = (value: Value | undefined): Value | undefined => (is_number(value) && Math.abs(value) < round_off * largest ? 0 : value);
@@ -48,7 +49,9 @@ export function make_legend(section: string, made: Curves, toggled: () => void):
       entries[k]![1].textContent = write_number(quiet(index === undefined ? last : curve.y[index]));
     });
     where.replaceChildren();
+    if (names) return;
     if (x === undefined) where.append("last values");
+    else if (made.x_names) where.append("at ", make_label(made.x_names[Math.round(x) - 1] ?? ""));
     else where.append("at ", make_label(made.x_label), ` ${write_number(x)} ${made.x_unit.unit}`);
   };
   const colour = (palette: Palette): void => {

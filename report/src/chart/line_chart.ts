@@ -1,6 +1,7 @@
 // A live chart of curves on uPlot: zoom by drag, values under the cursor, linear or logarithmic axes.
 import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
+import { lay_names, plain_name } from "../figure/names";
 import { chart_font, chart_height, chart_room } from "../figure/size";
 import { make_ticks } from "../figure/ticks";
 import { figure_font } from "../font";
@@ -24,12 +25,35 @@ export interface LineChartRequest {
   moved: (x: number | undefined) => void;
 }
 
-/** A picture of things is nearly as high as it is wide. */
-function height_of(made: Curves, width: number): number {
-  return made.equal ? Math.max(chart_height, Math.round(0.8 * width)) : chart_height;
+function layout_of(made: Curves, width: number): ReturnType<typeof lay_names> | undefined {
+  return made.x_names && lay_names(made.x_names, width - chart_room.left - chart_room.right, chart_font);
 }
 
-function make_axis(palette: Palette, side: "x" | "y", scale: Scale, names?: string[]): uPlot.Axis {
+/** A picture of things is nearly as high as it is wide; names that need room take it below the plot. */
+function height_of(made: Curves, width: number): number {
+  if (made.equal) return Math.max(chart_height, Math.round(0.8 * width));
+  return chart_height + (layout_of(made, width)?.extra ?? 0);
+}
+
+/** Lays names along x, in as many rows as they need. */
+function name_axis(axis: uPlot.Axis, made: Curves, width: number): uPlot.Axis {
+  const layout = layout_of(made, width);
+  if (!layout) return axis;
+  const names = made.x_names!.map(plain_name);
+  const show = (k: number): string => {
+    if (k % layout.every !== 0) return "";
+    return layout.arrangement === "staggered" && k % 2 === 1 ? `\n${names[k]}` : names[k]!;
+  };
+  return {
+    ...axis,
+    size: chart_room.bottom + layout.extra,
+    rotate: layout.arrangement === "upright" ? -90 : 0,
+    splits: () => names.map((_name, k) => k + 1),
+    values: (_plot, splits) => splits.map((split) => show(split - 1)),
+  };
+}
+
+function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis {
   return {
     stroke: palette.muted,
     font: `${chart_font}px ${figure_font}`,
@@ -38,11 +62,10 @@ function make_axis(palette: Palette, side: "x" | "y", scale: Scale, names?: stri
     ticks: { stroke: palette.muted, width: 1, size: 5 },
     border: { show: true, stroke: palette.muted, width: 1 },
     splits: (plot, _axis, min, max) => {
-      if (names) return names.map((_name, k) => k + 1);
       const pixels = (side === "x" ? plot.bbox.width : plot.bbox.height) / uPlot.pxRatio;
       return make_ticks(min, max, scale, Math.max(2, Math.round(pixels / (side === "x" ? 95 : 62))));
     },
-    values: (_plot, splits) => splits.map((split) => names?.[split - 1] ?? write_number(split)),
+    values: (_plot, splits) => splits.map((split) => write_number(split)),
     filter: (_plot, splits) => splits,
   };
 }
@@ -78,7 +101,7 @@ function make_options(request: LineChartRequest, zoom: () => [number, number] | 
       x: { time: false, distr: scales.x === "log" ? 3 : 1, range: () => ranges().x },
       y: { distr: scales.y === "log" ? 3 : 1, range: () => ranges().y },
     },
-    axes: [make_axis(palette, "x", scales.x, made.x_names), make_axis(palette, "y", scales.y)],
+    axes: [name_axis(make_axis(palette, "x", scales.x), made, width()), make_axis(palette, "y", scales.y)],
     series: [{}, { show: true, stroke: "transparent", points: { show: false } }],
     hooks: {
       draw: [(plot) => draw_curves(plot, made.curves, scales, palette)],
@@ -114,6 +137,14 @@ export function make_line_chart(request: LineChartRequest): LineChart {
     build();
   };
   build();
-  new ResizeObserver(() => plot?.setSize({ width: request.host.clientWidth, height: height_of(request.made, request.host.clientWidth) })).observe(request.host);
+  // Names are laid out for a width, so that another width needs another axis.
+  let width = request.host.clientWidth;
+  new ResizeObserver(() => {
+    const now = request.host.clientWidth;
+    if (now === width) return;
+    width = now;
+    if (request.made.x_names) build();
+    else plot?.setSize({ width, height: height_of(request.made, width) });
+  }).observe(request.host);
   return { rebuild: build, reset_zoom, zoomed: () => zoom };
 }

@@ -37,6 +37,33 @@ function draw_band(plot: uPlot, curve: Curve, scales: Scales): void {
   plot.ctx.globalAlpha = 1;
 }
 
+/** Draws the bounds of every point as a bar through it. */
+function draw_bars(plot: uPlot, curve: Curve, scales: Scales): void {
+  const { x, low, high } = curve;
+  if (!low || !high) return;
+  const path = new Path2D();
+  for (const k of split_runs([x, low, high], [scales.x, scales.y, scales.y]).flat()) {
+    const at = plot.valToPos(x[k]!, "x", true);
+    path.moveTo(at, plot.valToPos(low[k]!, "y", true));
+    path.lineTo(at, plot.valToPos(high[k]!, "y", true));
+  }
+  plot.ctx.lineWidth = 1.4 * uPlot.pxRatio;
+  plot.ctx.stroke(path);
+}
+
+function fill_outlines(plot: uPlot, curve: Curve, scales: Scales): void {
+  const path = new Path2D();
+  for (const run of split_runs([curve.x, curve.y], [scales.x, scales.y])) {
+    run.forEach((k, step) => {
+      const [x, y] = [plot.valToPos(curve.x[k]!, "x", true), plot.valToPos(curve.y[k]!, "y", true)];
+      if (step === 0) path.moveTo(x, y);
+      else path.lineTo(x, y);
+    });
+    path.closePath();
+  }
+  plot.ctx.fill(path);
+}
+
 function draw_points(plot: uPlot, curve: Curve, scales: Scales): void {
   const radius = 3.2 * uPlot.pxRatio;
   plot.ctx.globalAlpha = 0.85;
@@ -46,6 +73,16 @@ function draw_points(plot: uPlot, curve: Curve, scales: Scales): void {
     plot.ctx.fill();
   }
   plot.ctx.globalAlpha = 1;
+}
+
+function draw_curve(plot: uPlot, curve: Curve, scales: Scales): void {
+  if (curve.style === "filled") return fill_outlines(plot, curve, scales);
+  if (curve.style === "points") {
+    draw_bars(plot, curve, scales);
+    return draw_points(plot, curve, scales);
+  }
+  draw_band(plot, curve, scales);
+  draw_line(plot, curve, scales);
 }
 
 /** Draws all visible curves into a uPlot's canvas, clipped to its plot. */
@@ -65,9 +102,7 @@ export function draw_curves(plot: uPlot, curves: Curve[], scales: Scales, palett
     ctx.lineWidth = 2 * uPlot.pxRatio;
     ctx.lineJoin = "round";
     ctx.setLineDash(curve.style === "dashed" ? [6 * uPlot.pxRatio, 4 * uPlot.pxRatio] : []);
-    draw_band(plot, curve, scales);
-    if (curve.style === "points") draw_points(plot, curve, scales);
-    else draw_line(plot, curve, scales);
+    draw_curve(plot, curve, scales);
   }
   ctx.restore();
 }

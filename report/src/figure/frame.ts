@@ -4,6 +4,7 @@ import { make_svg } from "../dom";
 import { figure_font } from "../font";
 import { split_label, write_number } from "../format";
 import type { Palette } from "../palette";
+import { lay_names, type NameLayout, widest_name } from "./names";
 import type { FigureSize } from "./size";
 import { make_ticks } from "./ticks";
 
@@ -68,22 +69,33 @@ function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number;
   return make_ticks(axis.min, axis.max, axis.scale, count).map((at) => ({ at, text: write_number(at) }));
 }
 
+/** Sets a number or a name below its tick. */
+function draw_tick_text(text: string, k: number, place: { x: number; y: number }, font: number, layout?: NameLayout): SVGElement {
+  const { x, y } = place;
+  if (!layout) return make_svg("text", { class: "tick-x", x, y: y + 1.1 * font, "text-anchor": "middle" }, text);
+  if (layout.arrangement === "upright")
+    return make_svg_text(text, { class: "tick-x", "data-at": x, x: x + 0.35 * font, y: y + 4, "text-anchor": "end", transform: `rotate(-90 ${x + 0.35 * font} ${y + 4})` });
+  const row = layout.arrangement === "staggered" && k % 2 === 1 ? 1 : 0;
+  return make_svg_text(text, { class: "tick-x", "data-at": x, x, y: y + (1.1 + 1.3 * row) * font, "text-anchor": "middle" });
+}
+
 function draw_ticks(frame: Frame, request: FrameRequest): void {
   const { palette, x, y, size } = request;
   const { font } = size;
   const axes = make_svg("g", { "font-size": font, fill: palette.muted, stroke: "none" });
   const grid = request.grid !== "none";
-  for (const { at: value, text } of ticks_of(x, frame.right - frame.left, 7.9 * font)) {
+  const layout = layout_of(request);
+  ticks_of(x, frame.right - frame.left, 7.9 * font).forEach(({ at: value, text }, k) => {
     const at = frame.to_x(value);
     const end = frame.bottom + 5;
     axes.append(make_svg("line", { x1: at, x2: at, y1: frame.bottom, y2: end, stroke: palette.muted }));
-    axes.append(make_svg("text", { class: "tick-x", x: at, y: end + 1.1 * font, "text-anchor": "middle" }, text));
-  }
+    if (!layout || k % layout.every === 0) axes.append(draw_tick_text(text, k, { x: at, y: end }, font, layout));
+  });
   for (const { at: value, text } of ticks_of(y, frame.bottom - frame.top, 5.2 * font)) {
     const at = frame.to_y(value);
     axes.append(make_svg("line", { x1: frame.left - 5, x2: frame.left, y1: at, y2: at, stroke: palette.muted }));
     if (grid) axes.append(make_svg("line", { x1: frame.left, x2: frame.right, y1: at, y2: at, stroke: palette.grid }));
-    axes.append(make_svg("text", { class: "tick-y", "data-at": at, x: frame.left - 9, y: at + 0.35 * font, "text-anchor": "end" }, text));
+    axes.append(make_svg_text(text, { class: "tick-y", "data-at": at, x: frame.left - 9, y: at + 0.35 * font, "text-anchor": "end" }));
   }
   const corner = `M${frame.left},${frame.top}V${frame.bottom}H${frame.right}`;
   axes.append(make_svg("path", { d: corner, fill: "none", stroke: palette.muted }));
@@ -94,17 +106,31 @@ function draw_titles(frame: Frame, request: FrameRequest): void {
   const { font } = request.size;
   const middle = (frame.top + frame.bottom) / 2;
   const style = { "font-size": 1.08 * font, fill: request.palette.ink, "text-anchor": "middle" };
-  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + 3.2 * font };
+  const names = layout_of(request)?.extra ?? 0;
+  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + names + 3.2 * font };
   const beside = { ...style, x: 1.3 * font, y: middle, transform: `rotate(-90 ${1.3 * font} ${middle})` };
-  frame.svg.append(make_svg_text(request.x.title, below), make_svg_text(request.y.title, beside));
+  if (request.x.title) frame.svg.append(make_svg_text(request.x.title, below));
+  if (request.y.title) frame.svg.append(make_svg_text(request.y.title, beside));
 }
 
-function place_edges({ size, right, top }: FrameRequest): { left: number; right: number; top: number; bottom: number } {
+/** Room at the left: names may need more than numbers. */
+function left_of({ size, y }: FrameRequest): number {
+  const title = size.titles === "drawn" ? 2 * size.font : 0;
+  return y.names ? Math.max(size.room.left, widest_name(y.names, size.font) + 14 + title) : size.room.left;
+}
+
+function layout_of(request: FrameRequest): NameLayout | undefined {
+  const { size, x, right } = request;
+  return x.names && lay_names(x.names, size.width - left_of(request) - (right ?? size.room.right), size.font);
+}
+
+function place_edges(request: FrameRequest): { left: number; right: number; top: number; bottom: number } {
+  const { size, right, top } = request;
   return {
-    left: size.room.left,
+    left: left_of(request),
     right: size.width - (right ?? size.room.right),
     top: size.room.top + (top ?? 0),
-    bottom: size.height - size.room.bottom,
+    bottom: size.height - size.room.bottom - (layout_of(request)?.extra ?? 0),
   };
 }
 

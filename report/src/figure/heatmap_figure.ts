@@ -1,10 +1,11 @@
 // A field over two axes as a vector figure, with its colour bar.
-import { type HeatmapSection, is_number, type Value } from "../document";
+import { make_equal } from "../chart/curves";
+import { type Axis, type HeatmapSection, is_number } from "../document";
 import { make_svg } from "../dom";
-import { choose_unit, largest_magnitude, write_axis_title, write_number, write_quantity } from "../format";
-import { css_colour, type Palette, sample_map } from "../palette";
+import { choose_unit, largest_magnitude, type ShownUnit, write_axis_title, write_number, write_quantity } from "../format";
+import { type ColourMap, css_colour, type Palette, sample_map } from "../palette";
 import { type Frame, make_frame, make_svg_text } from "./frame";
-import type { FigureSize } from "./size";
+import { type FigureSize, picture_size } from "./size";
 import { bar_ticks } from "./ticks";
 
 /** Gives the borders of cells whose middles are known: halfway between, and as far out at the ends. */
@@ -16,10 +17,10 @@ function borders_of(middles: number[]): number[] {
   return [first, ...between, last];
 }
 
-function axis_values(axis: { values?: Value[] }, count: number): number[] {
+function axis_values(axis: Axis, count: number): number[] {
   return Array.from({ length: count }, (_unused, k) => {
     const value = axis.values?.[k];
-    return is_number(value) ? value : k;
+    return is_number(value) ? value : axis.names ? k + 1 : k;
   });
 }
 
@@ -28,9 +29,10 @@ interface Range {
   max: number;
 }
 
-function range_of(values: Value[][]): Range {
+function range_of(section: HeatmapSection): Range {
+  if (section.range) return { min: section.range[0], max: section.range[1] };
   const range = { min: Infinity, max: -Infinity };
-  for (const row of values) {
+  for (const row of section.values) {
     for (const value of row) {
       if (!is_number(value)) continue;
       range.min = Math.min(range.min, value);
@@ -41,6 +43,17 @@ function range_of(values: Value[][]): Range {
   return range.min === range.max ? { min: range.min, max: range.min + 1 } : range;
 }
 
+function map_of(section: HeatmapSection): ColourMap {
+  return section.colours === "diverging" ? "diverging" : "viridis";
+}
+
+/** Writes a value into its cell, dark on pale colours and pale on dark ones. */
+function write_cell(frame: Frame, at: { x: number; y: number }, value: number, [red, green, blue]: number[], font: number): void {
+  const light = 0.3 * red! + 0.59 * green! + 0.11 * blue! > 140;
+  const place = { class: "cell-value", x: at.x, y: at.y + 0.35 * font, "font-size": font, "text-anchor": "middle" };
+  frame.plot.append(make_svg("text", { ...place, fill: light ? "#1b1f24" : "#ffffff" }, write_number(value, 2)));
+}
+
 function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette, font }: { palette: Palette; font: number }): void {
   const left = frame.right + 18;
   const height = frame.bottom - frame.top;
@@ -49,7 +62,7 @@ function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette
   for (let k = 0; k < steps; ++k) {
     frame.svg.append(make_svg("rect", {
       x: left, width: 14, y: frame.bottom - (height * (k + 1)) / steps, height: height / steps + 0.6,
-      fill: css_colour(sample_map("viridis", (k + 0.5) / steps)),
+      fill: css_colour(sample_map(map_of(section), (k + 0.5) / steps)),
     }));
   }
   for (const tick of bar_ticks(range.min * unit.factor, range.max * unit.factor)) {
@@ -65,43 +78,67 @@ function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette
   }));
 }
 
+/** Both axes of a picture of things are in one unit. */
+function units_of(section: HeatmapSection, xs: number[], ys: number[]): [ShownUnit, ShownUnit] {
+  const every = section.equal ? [...xs, ...ys] : undefined;
+  return [choose_unit(section.x.unit, largest_magnitude(every ?? xs)), choose_unit(section.y.unit, largest_magnitude(every ?? ys))];
+}
+
 /** Titles the axes in the units of the figure. */
 export function heatmap_titles(section: HeatmapSection): { x: string; y: string } {
   const columns = section.values[0]?.length ?? 0;
-  const x_unit = choose_unit(section.x.unit, largest_magnitude(axis_values(section.x, columns)));
-  const y_unit = choose_unit(section.y.unit, largest_magnitude(axis_values(section.y, section.values.length)));
+  const [x_unit, y_unit] = units_of(section, axis_values(section.x, columns), axis_values(section.y, section.values.length));
   return { x: write_axis_title(section.x.label, x_unit.unit), y: write_axis_title(section.y.label, y_unit.unit) };
 }
 
+function tell_place(axis: Axis, value: number, k: number): string {
+  return axis.names ? `${axis.label} ${axis.names[k] ?? ""}`.trim() : `${axis.label} ${write_quantity(value, axis.unit)}`;
+}
+
+function middle_of(frame: Frame, xs: number[], ys: number[], i: number, j: number): { x: number; y: number } {
+  return { x: frame.to_x((xs[i]! + xs[i + 1]!) / 2), y: frame.to_y((ys[j]! + ys[j + 1]!) / 2) };
+}
+
+type Span = [number, number];
+
+function spans_of(section: HeatmapSection, x: Span, y: Span, size: FigureSize & { right: number }): { x: Span; y: Span } {
+  if (!section.equal) return { x, y };
+  return make_equal(x, y, (size.width - size.room.left - size.right) / (size.height - size.room.top - size.room.bottom));
+}
+
 /** Draws `values[row][column]`, rows along y and columns along x. */
-export function draw_heatmap(section: HeatmapSection, palette: Palette, size: FigureSize): SVGSVGElement {
+export function draw_heatmap(section: HeatmapSection, palette: Palette, asked: FigureSize): SVGSVGElement {
+  const size = section.equal ? picture_size(asked) : asked;
   const columns = section.values[0]?.length ?? 0;
   const xs = axis_values(section.x, columns);
   const ys = axis_values(section.y, section.values.length);
-  const x_unit = choose_unit(section.x.unit, largest_magnitude(xs));
-  const y_unit = choose_unit(section.y.unit, largest_magnitude(ys));
+  const [x_unit, y_unit] = units_of(section, xs, ys);
   const x_borders = borders_of(xs).map((value) => value * x_unit.factor);
   const y_borders = borders_of(ys).map((value) => value * y_unit.factor);
-  const range = range_of(section.values);
+  const range = range_of(section);
   const titles = heatmap_titles(section);
+  const right = 26 + 6.6 * size.font;
+  const spans = spans_of(section, [x_borders[0]!, x_borders.at(-1)!], [y_borders[0]!, y_borders.at(-1)!], { ...size, right });
   const frame = make_frame({
-    x: { title: titles.x, min: x_borders[0]!, max: x_borders.at(-1)!, scale: "linear" },
-    y: { title: titles.y, min: y_borders[0]!, max: y_borders.at(-1)!, scale: "linear" },
-    palette, size, description: section.title, right: 26 + 6.6 * size.font, grid: "none",
+    x: { title: titles.x, min: spans.x[0], max: spans.x[1], scale: "linear", names: section.x.names },
+    y: { title: titles.y, min: spans.y[0], max: spans.y[1], scale: "linear", names: section.y.names },
+    palette, size, description: section.title, right, grid: "none",
   });
   section.values.forEach((row, j) => row.forEach((value, i) => {
     if (!is_number(value)) return;
     const fraction = (value - range.min) / (range.max - range.min);
     const left = Math.min(frame.to_x(x_borders[i]!), frame.to_x(x_borders[i + 1]!));
     const top = Math.min(frame.to_y(y_borders[j]!), frame.to_y(y_borders[j + 1]!));
-    const label = `${section.x.label} ${write_quantity(xs[i], section.x.unit)}, ${section.y.label} ${write_quantity(ys[j], section.y.unit)}: ${write_quantity(value, section.unit)}`;
+    const colour = sample_map(map_of(section), Math.min(1, Math.max(0, fraction)));
+    const label = `${tell_place(section.x, xs[i]!, i)}, ${tell_place(section.y, ys[j]!, j)}: ${write_quantity(value, section.unit)}`;
     // A little overlap hides the hairlines that antialiasing leaves between neighbours.
     frame.plot.append(make_svg("rect", {
       x: left, y: top, class: "cell",
       width: Math.abs(frame.to_x(x_borders[i + 1]!) - frame.to_x(x_borders[i]!)) + 0.4,
       height: Math.abs(frame.to_y(y_borders[j + 1]!) - frame.to_y(y_borders[j]!)) + 0.4,
-      fill: css_colour(sample_map("viridis", fraction)), "data-value": value,
+      fill: css_colour(colour), "data-value": value,
     }, make_svg("title", {}, label)));
+    if (section.written) write_cell(frame, middle_of(frame, x_borders, y_borders, i, j), value, colour, size.font);
   }));
   draw_bar(frame, section, range, { palette, font: size.font });
   return frame.svg;

@@ -8,7 +8,7 @@ import type { FigureSize } from "./size";
 export interface LegendEntry {
   label: string;
   colour: string;
-  mark: "line" | "dashed" | "points" | "box";
+  mark: "line" | "dashed" | "points" | "box" | "filled";
 }
 
 const row_height = 1.7; // over the size of the type
@@ -41,7 +41,7 @@ export function measure_legend(entries: LegendEntry[], size: FigureSize): number
 
 function draw_mark(entry: LegendEntry, x: number, y: number): SVGElement {
   const { colour, mark } = entry;
-  if (mark === "box") return make_svg("rect", { x, y: y - 6, width: 20, height: 12, fill: colour, "fill-opacity": 0.6 });
+  if (mark === "box" || mark === "filled") return make_svg("rect", { x, y: y - 6, width: 20, height: 12, fill: colour, "fill-opacity": 0.6 });
   if (mark === "points") return make_svg("circle", { cx: x + 10, cy: y, r: 3.5, fill: colour });
   const dash = mark === "dashed" ? "6 4" : undefined;
   return make_svg("line", {

@@ -32,14 +32,26 @@ function draw_band(frame: Frame, curve: Curve, view: View, colour: string): void
   frame.plot.append(make_svg("path", { class: "band", d: path, fill: colour, "fill-opacity": 0.16 }));
 }
 
+function draw_points(frame: Frame, curve: Curve, view: View, colour: string): void {
+  const { x, y, low, high } = curve;
+  if (low && high) {
+    const bars = split_runs([x, low, high], [view.x_scale, view.y_scale, view.y_scale]).flat()
+      .map((k) => `M${place(frame, x, low, k)}L${place(frame, x, high, k)}`);
+    frame.plot.append(make_svg("path", { class: "bar", d: bars.join(""), fill: "none", stroke: colour, "stroke-width": 1.4 }));
+  }
+  for (const k of split_runs([x, y], [view.x_scale, view.y_scale]).flat()) {
+    const [cx, cy] = place(frame, x, y, k).split(",");
+    frame.plot.append(make_svg("circle", { "data-series": curve.label, cx, cy, r: 3.2, fill: colour, "fill-opacity": 0.85 }));
+  }
+}
+
 function draw_curve(frame: Frame, curve: Curve, view: View, colour: string, width: number): void {
+  if (curve.style === "points") return draw_points(frame, curve, view, colour);
   draw_band(frame, curve, view, colour);
   const runs = split_runs([curve.x, curve.y], [view.x_scale, view.y_scale]);
-  if (curve.style === "points") {
-    for (const k of runs.flat()) {
-      const [cx, cy] = place(frame, curve.x, curve.y, k).split(",");
-      frame.plot.append(make_svg("circle", { "data-series": curve.label, cx, cy, r: 3.2, fill: colour, "fill-opacity": 0.85 }));
-    }
+  if (curve.style === "filled") {
+    const outlines = runs.map((run) => `M${run.map((k) => place(frame, curve.x, curve.y, k)).join("L")}Z`);
+    frame.plot.append(make_svg("path", { "data-series": curve.label, d: outlines.join(""), fill: colour }));
     return;
   }
   const lines = runs.map((run) => `M${run.map((k) => place(frame, curve.x, curve.y, k)).join("L")}${run.length === 1 ? "h2" : ""}`);

@@ -28,6 +28,11 @@ function make_columns(section: LinesSection): Column[] {
   return columns;
 }
 
+/** What a button calls the x axis: its label where that is a short word. */
+function short_name(label: string): string {
+  return /^\p{L}{1,8}$/u.test(label) ? label : "x";
+}
+
 function has_positive(made: Curves, axis: "x" | "y"): boolean {
   return made.curves.some((curve) => curve[axis].some((value) => is_number(value) && value > 0));
 }
@@ -39,7 +44,7 @@ export function render_lines(section: LinesSection): HTMLElement {
     x: section.x.scale === "log" && has_positive(made, "x") ? "log" : "linear",
     y: section.y.scale === "log" && has_positive(made, "y") ? "log" : "linear",
   };
-  const legend = make_legend(section.id, made, () => chart().rebuild());
+  const legend = make_legend(section, made, () => chart().rebuild());
   const host = make("div", { class: "chart", role: "img", "aria-label": `${made.y_label} against ${made.x_label}` });
   const titles = { x: write_axis_title(made.x_label, made.x_unit.unit), y: write_axis_title(made.y_label, made.y_unit.unit) };
   figure.append(legend.element, make_plot(titles, host));
@@ -50,7 +55,7 @@ export function render_lines(section: LinesSection): HTMLElement {
 
   for (const axis of ["x", "y"] as const) {
     if (made.equal || (axis === "x" && made.x_names) || !has_positive(made, axis)) continue;
-    controls.append(make_toggle(`log ${axis}`, `Logarithmic ${axis} axis`, scales[axis] === "log", (on) => {
+    controls.append(make_toggle(`log ${axis === "x" ? short_name(section.x.label) : axis}`, `Logarithmic ${axis} axis`, scales[axis] === "log", (on) => {
       scales[axis] = on ? "log" : "linear";
       chart().reset_zoom();
     }));

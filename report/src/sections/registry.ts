@@ -1,6 +1,7 @@
 // Which function renders which kind of section; an unknown or broken one becomes a note, never a broken page.
 import type { Section } from "../document";
 import { make } from "../dom";
+import { render_comparison } from "./comparison";
 import { render_facts } from "./facts";
 import { render_fibers } from "./fibers";
 import { render_heatmap } from "./heatmap";
@@ -13,6 +14,7 @@ import { render_table } from "./table";
 function render_kind(section: Section): HTMLElement | undefined {
   switch (section.kind) {
     case "facts": return render_facts(section);
+    case "comparison": return render_comparison(section);
     case "lines":
     case "scatter": return render_lines(section);
     case "histogram": return render_histogram(section);

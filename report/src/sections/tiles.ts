@@ -1,8 +1,9 @@
 // The headlines of a report: large numbers, each with its course over the run and what changed.
-import { is_number, type ReportDocument } from "../document";
+import { type ComparedFact, is_number, type ReportDocument } from "../document";
 import { make, make_label, make_svg } from "../dom";
 import { choose_unit, write_number, write_quantity } from "../format";
-import { choose_headlines, type Headline } from "../headline";
+import { choose_compared, choose_headlines, type Headline } from "../headline";
+import { make_sample, unit_of } from "./comparison";
 
 const spark = { width: 120, height: 30 };
 
@@ -52,9 +53,22 @@ function make_tile(headline: Headline): HTMLElement {
   return tile;
 }
 
+/** Makes the tile of a fact of several runs: their numbers below each other, in one unit. */
+function make_compared_tile({ fact, runs }: { fact: ComparedFact; runs: string[] }): HTMLElement {
+  const { unit, factor } = unit_of(fact);
+  const title = make("span", { class: "tile-label" }, make_label(fact.label));
+  if (unit) title.append(make("span", { class: "unit" }, ` (${unit})`));
+  const rows = runs.map((run, k) => {
+    const value = fact.values[k];
+    const shown = is_number(value) ? write_number(value * factor, 3) : (value ?? "–");
+    return make("li", { "data-run": run, "data-value": value ?? "" }, make_sample(k), make("span", { class: "run" }, make_label(run)), make("b", {}, shown));
+  });
+  return make("li", { class: "tile compared", "data-label": fact.label }, title, make("ul", {}, ...rows));
+}
+
 /** Makes the row of tiles, or nothing where the document has no numbers to headline. */
 export function render_tiles(found: ReportDocument): HTMLElement | undefined {
-  const headlines = choose_headlines(found);
-  if (headlines.length === 0) return undefined;
-  return make("ul", { class: "tiles", "aria-label": "Results" }, ...headlines.map(make_tile));
+  const tiles = [...choose_headlines(found).map(make_tile), ...choose_compared(found).map(make_compared_tile)];
+  if (tiles.length === 0) return undefined;
+  return make("ul", { class: "tiles", "aria-label": "Results" }, ...tiles);
 }

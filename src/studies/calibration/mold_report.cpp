@@ -33,6 +33,7 @@ LinesSection lengths_section(const CalibrationCase& values, const std::vector<Me
                        {},
                        {}};
   const std::vector<std::string> places = places_of(measured, condition);
+  section.x.names = places;
   for (const LengthMean mean : length_means) {
     const std::string label = symbol(mean);
     ReportSeries predicted{label + ", fitted", {}}, samples{label + ", measured", {}, CurveStyle::points};
@@ -49,11 +50,13 @@ LinesSection lengths_section(const CalibrationCase& values, const std::vector<Me
       samples.x.resize(samples.values.size(), x);
     }
     if (predicted.values.empty()) continue;
+    predicted.colour = samples.colour = static_cast<int>(section.series.size()) / 2;
     section.series.push_back(std::move(predicted));
     section.series.push_back(std::move(samples));
   }
-  section.caption = fmt::format("Places 1 to {}: {}. Bands: where another sample would lie, with {:g} %.",
-                                places.size(), fmt::join(places, ", "), 100 * values.search.level);
+  section.legend = LegendValues::none;
+  section.caption =
+      fmt::format("Bands: where another sample would lie, with {:g} %.", 100 * values.search.level);
   return section;
 }
 
@@ -118,6 +121,7 @@ LinesSection optimum_section(const CalibrationCase& values, const CsvTable& opti
     }
     if (fitted.values.empty()) continue;
     least.x = fitted.x;
+    fitted.colour = least.colour = static_cast<int>(section.series.size()) / 2;
     section.series.push_back(std::move(fitted));
     section.series.push_back(std::move(least));
   }

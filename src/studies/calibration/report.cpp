@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "io/csv_table.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
+#include "studies/calibration/fit_report.hpp"
 #include "studies/calibration/fits.hpp"
 #include "studies/calibration/mold_report.hpp"
+#include "studies/calibration/parameter_report.hpp"
 #include "studies/calibration/run.hpp"
 #include "studies/law_facts.hpp"
 
@@ -31,48 +32,36 @@ FactsSection asked(const CalibrationCase& values) {
   return section;
 }
 
-std::string written_interval(double low, double high) {
-  return std::isnan(low) || std::isnan(high) ? std::string() : fmt::format("{:.4g} to {:.4g}", low, high);
+std::string freedom_in_words(std::int64_t freedom) {
+  return freedom == 1 ? "1 degree of freedom" : fmt::format("{} degrees of freedom", freedom);
 }
 
-TableSection estimates(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
-  const std::string level = fmt::format("{:g} % ", 100 * values.search.level);
-  TableSection section{"estimates" + name.prefix, "Parameters" + name.heading, {}, {}};
-  section.columns = {{"parameter"}, {"unit"}, {"value"}, {"standard error"}, {level + "linearised"}};
-  const bool profiles = values.search.profiles == ProfileChoice::all;
-  if (profiles) section.columns.push_back({level + "by profile"});
-  if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
-  for (const LawParameter& parameter :
-       chosen_law(calibrated_menu(values), calibrated_law(values))->parameters) {
-    if (std::find(values.search.free.begin(), values.search.free.end(), parameter.name) ==
-        values.search.free.end())
-      continue;
-    const std::string key = name.prefix + parameter.name;
-    const auto interval = [&](const std::string& kind) {
-      return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
-    };
-    section.rows.push_back({parameter.name, parameter.unit == "1" ? std::string() : parameter.unit,
-                            summary.number(key), summary.number(key + "_standard_error"), interval("")});
-    if (profiles) section.rows.back().emplace_back(interval("_profile"));
-    if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
-  }
-  section.caption = "Missing where the data cannot tell (docs/theory/calibration.md).";
-  return section;
-}
-
-FactsSection quality(const SummaryFile& summary, const FitName& name) {
+FactsSection quality(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
   const auto key = [&](const char* text) { return name.prefix + text; };
-  FactsSection section{"quality" + name.prefix, "Quality of the fit" + name.heading, {}};
-  section.rows = {
-      {"Observations", summary.count(key("observations"))},
-      {"Degrees of freedom", summary.count(key("degrees_of_freedom"))},
-      {"Sum of weighted squares", summary.number(key("chi_square"))},
-      {"Scale of the noise", summary.number(key("noise_scale")), "", "over the given uncertainties"},
-      {"Average error", summary.number(key("average_error_percent")), "%", "thesis 4.8"},
-      {"Converged", summary.text(key("converged"))}};
+  const Prominence prominence = name.prefix.empty() ? Prominence::headline : Prominence::ordinary;
+  FactsSection section{"quality" + name.prefix, "The fit" + name.heading,
+                       parameter_facts(values, summary, name)};
+  append(section.rows, misfit_facts(values, summary, name));
   for (int i = 1; !summary.text(key("finding_") + std::to_string(i)).empty(); ++i)
     section.rows.push_back({fmt::format("Finding {}", i), summary.text(key("finding_") + std::to_string(i))});
+  append(section.rows, correlation_facts(free_names(values), summary, name));
+  append<Fact, Fact>(section.rows, {{"Average error", summary.number(key("average_error_percent")), "%",
+                                     "of the fitted values", prominence},
+                                    {"Observations", summary.count(key("observations")), "",
+                                     freedom_in_words(summary.count(key("degrees_of_freedom"))), prominence},
+                                    {"Sum of weighted squares", summary.number(key("chi_square"))},
+                                    {"Scale of the noise", summary.number(key("noise_scale")), "",
+                                     "over the given uncertainties"},
+                                    {"Converged", summary.text(key("converged"))}});
   return section;
+}
+
+/// Gives every point a bar of one uncertainty to either side.
+void append_bars(ReportSeries& points, const std::vector<double>& uncertainties) {
+  for (std::size_t i = 0; i < points.values.size(); ++i) {
+    points.low.push_back(points.values[i] - uncertainties.at(i));
+    points.high.push_back(points.values[i] + uncertainties.at(i));
+  }
 }
 
 /// Draws what was measured with the fitted curve and its band; series of one quantity share a picture.
@@ -87,15 +76,16 @@ std::vector<LinesSection> curves_sections(const std::vector<MeasuredSeries>& mea
     auto picture =
         std::ranges::find_if(pictures, [&](const LinesSection& p) { return p.y.label == quantity; });
     if (picture == pictures.end()) {
-      LinesSection section{"curves_" + std::to_string(pictures.size()) + name.prefix,
-                           "Measured and fitted" + name.heading,
-                           {"time", "s"},
-                           {quantity, one.unit == "1" ? "" : one.unit},
-                           {},
-                           {},
-                           fmt::format("Bands: where another measurement would lie, with {:g} %; that of the "
-                                       "curve itself is in curves.csv.",
-                                       100 * level)};
+      LinesSection section{
+          "curves_" + std::to_string(pictures.size()) + name.prefix,
+          "Measured and fitted" + name.heading,
+          {"time", "s"},
+          {quantity, one.unit == "1" ? "" : one.unit},
+          {},
+          {},
+          fmt::format("Bars: the uncertainties of the data. Bands: where another measurement "
+                      "would lie, with {:g} %; that of the curve itself is in curves.csv.",
+                      100 * level)};
       picture = pictures.insert(pictures.end(), std::move(section));
     }
     const auto number = static_cast<double>(s);
@@ -106,6 +96,8 @@ std::vector<LinesSection> curves_sections(const std::vector<MeasuredSeries>& mea
     ReportSeries points{one.name + ", measured", pick(fit, name.number, number, "observed"),
                         CurveStyle::points};
     points.x = pick(fit, name.number, number, "time_s");
+    append_bars(points, pick(fit, name.number, number, "uncertainty"));
+    curve.colour = points.colour = static_cast<int>(picture->series.size()) / 2;
     picture->series.push_back(std::move(curve));
     picture->series.push_back(std::move(points));
   }
@@ -153,28 +145,6 @@ void append_optima(const CalibrationCase& values, const ResultFolder& folder,
   if (table.rows() > 1) sections.emplace_back(optimum_section(values, table));
 }
 
-void append_profiles(const CalibrationCase& values, const ResultFolder& folder, const FitName& name,
-                     std::vector<ReportSection>& sections) {
-  if (!std::filesystem::exists(folder.file("profile.csv"))) return;
-  const CsvTable table = read_csv(folder.file("profile.csv"));
-  const std::vector<LawParameter>& parameters =
-      chosen_law(calibrated_menu(values), calibrated_law(values))->parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto number = static_cast<double>(i);
-    LinesSection section{"profile_" + parameters[i].name + name.prefix,
-                         "Profile of " + parameters[i].name + name.heading,
-                         {parameters[i].name, parameters[i].unit == "1" ? "" : parameters[i].unit},
-                         {"least sum of squares"},
-                         pick(table, name.number, number, "value"),
-                         {}};
-    if (section.x_values.empty()) continue;
-    section.series = {
-        {"least sum of squares", pick(table, name.number, number, "chi_square")},
-        {"limit of the interval", pick(table, name.number, number, "limit"), CurveStyle::dashed}};
-    sections.emplace_back(std::move(section));
-  }
-}
-
 }  // namespace
 
 ReportDocument report_calibration(const CalibrationCase& values, const ResultFolder& folder) {
@@ -189,13 +159,17 @@ ReportDocument report_calibration(const CalibrationCase& values, const ResultFol
   for (const FitName& name : fit_names(values)) {
     const std::vector<MeasuredSeries> measured = series_of(name, all);
     if (measured.empty()) continue;
-    document.sections.emplace_back(estimates(values, summary, name));
-    document.sections.emplace_back(quality(summary, name));
     const FitTables rows = {name, fit, curves};
     append(document.sections, calibrates_in_molds(values)
                                   ? molded_lengths_sections(values, measured, rows)
                                   : curves_sections(measured, rows, values.search.level));
-    append_profiles(values, folder, name, document.sections);
+    append(document.sections, residual_sections(values, measured, rows));
+    append(document.sections, parity_sections(measured, rows));
+    append_profiles(values, folder, name, summary, document.sections);
+    append(document.sections, correlation_sections(free_names(values), summary, name));
+    append_samples(values, folder, name, document.sections);
+    document.sections.emplace_back(estimates(values, summary, name));
+    document.sections.emplace_back(quality(values, summary, name));
   }
   return document;
 }

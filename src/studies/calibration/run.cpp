@@ -12,6 +12,7 @@
 #include "calibration/fit.hpp"
 #include "calibration/prediction_band.hpp"
 #include "calibration/profile.hpp"
+#include "calibration/residual_runs.hpp"
 #include "calibration/sweep.hpp"
 #include "results/memory_recorder.hpp"
 #include "studies/calibration/fits.hpp"
@@ -91,6 +92,7 @@ class OneFit {
     result_ = fit(problem_, options);
     summary.steps = summary.steps.value_or(0) + result_.iterations;
     append_estimates(summary);
+    append_runs(summary);
     const std::vector<Profile> profiles = found_profiles(options);
     append_findings(profiles, summary, log);
     append_fit(tables.fit);
@@ -146,6 +148,22 @@ class OneFit {
     for (const FitSeries& one : problem_.series)
       observed.insert(observed.end(), one.observed.begin(), one.observed.end());
     add(summary, "average_error_percent", average_error_percent(observed, result_.predictions));
+  }
+
+  /// Counts runs along time and length; samples of one place have no order.
+  void append_runs(RunSummary& summary) const {
+    std::vector<std::vector<double>> residuals;
+    std::size_t at = 0;
+    for (const MeasuredSeries& one : series_) {
+      std::vector<double> own;
+      for (const double value : one.values) own.push_back(value - result_.predictions[at++]);
+      if (one.place.empty()) residuals.push_back(std::move(own));
+    }
+    const ResidualRuns found = count_runs(residuals);
+    if (std::isnan(found.deviations)) return;
+    add(summary, "residual_runs", found.runs);
+    add(summary, "residual_runs_expected", found.expected);
+    add(summary, "residual_runs_deviations", found.deviations);
   }
 
   void append_findings(const std::vector<Profile>& profiles, RunSummary& summary, Recorder& log) const {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "results/fiber_frame.hpp"
+#include "studies/cluster/pictures.hpp"
 #include "studies/cluster/run.hpp"
 #include "studies/sample/cell_section.hpp"
 #include "studies/sample/fiber_sections.hpp"
@@ -143,7 +145,9 @@ LinesSection pair_section(const SummaryFile& summary) {
       {"this packing", summary.numbers("pair_distance_per_fiber")},
       {"placed at random", summary.numbers("pair_distance_per_fiber_random"), CurveStyle::dashed}};
   section.caption =
-      "Places along a fiber where another one passes, beside the theory of fibers placed at random.";
+      "Places along a fiber where another one passes at a distance of axes, beside the theory of straight "
+      "fibers "
+      "placed at random; at one diameter they touch.";
   return section;
 }
 
@@ -152,17 +156,18 @@ LinesSection pair_section(const SummaryFile& summary) {
 ReportDocument report_cluster(const ClusterCase& values, const ResultFolder& folder) {
   const SummaryFile summary(folder.summary());
   ReportDocument document{"A packing of fibers"};
+  const VtkhdfReader frames(folder.frames());
   document.sections.emplace_back(asked(values));
-  document.sections.emplace_back(comparison(values, summary));
   document.sections.emplace_back(came_out(summary));
-  document.sections.emplace_back(fourth_moments(summary));
+  document.sections.emplace_back(fibers_section(frames, ""));
+  document.sections.emplace_back(cut_section(fibers_of(frames.read(frames.times().size() - 1))));
+  append(document.sections, density_sections(folder));
   if (!summary.numbers("pair_distance_low_diameters").empty())
     document.sections.emplace_back(pair_section(summary));
-  const VtkhdfReader frames(folder.frames());
   if (!summary.numbers("length_edges_m").empty()) document.sections.emplace_back(lengths(summary));
   document.sections.emplace_back(curvature_section(frames, {0.0}));
-  document.sections.emplace_back(fibers_section(frames, ""));
-  append(document.sections, projection_sections(frames));
+  document.sections.emplace_back(fourth_moments(summary));
+  document.sections.emplace_back(comparison(values, summary));
   document.sections.emplace_back(effort_section(summary));
   return document;
 }

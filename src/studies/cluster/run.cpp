@@ -7,6 +7,7 @@
 #include "fibers/observables.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
+#include "studies/cluster/pictures.hpp"
 #include "studies/sample/estimate.hpp"
 #include "studies/sample/fiber_sections.hpp"
 #include "studies/sample/length_comparison.hpp"
@@ -160,6 +161,7 @@ Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   append_relaxation(summary.own, cluster.relaxed);
   append_pair_distances(summary.own, cluster.packing);
   outcome.frames.push_back({"result", {fiber_frame(cluster.state)}});
+  outcome.tables.push_back({"density", density_table(cluster.state)});
   return outcome;
 }
 

@@ -8,7 +8,7 @@
 #include "results/report_document.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
-#include "studies/measurement/lists.hpp"
+#include "studies/measurement/length_report.hpp"
 #include "studies/measurement/run.hpp"
 
 namespace fiberfate {
@@ -38,50 +38,47 @@ FactsSection asked(const MeasurementCase& values) {
   return section;
 }
 
-TableSection lengths_table(const SummaryFile& summary) {
-  TableSection section{"lengths",
-                       "Mean lengths",
-                       {{"average"}, {"value", "mm"}, {"low", "mm"}, {"high", "mm"}, {"uncorrected", "mm"}},
-                       {}};
-  for (const char* name : {"L_N", "L_W"}) {
-    const auto number = [&](const char* suffix) { return 1e3 * summary.number(std::string(name) + suffix); };
-    section.rows.push_back(
-        {std::string(name), number("_m"), number("_lower_m"), number("_upper_m"), number("_uncorrected_m")});
-  }
-  const auto count = [&summary](const char* key) { return static_cast<std::size_t>(summary.count(key)); };
-  const std::string left_out = LeftOut{count("left_out_empty_lines"), count("left_out_zero_lengths")}.text();
-  section.caption = fmt::format("{} lengths in column '{}'{}.", summary.count("measured_lengths"),
-                                summary.text("lengths_column"), left_out.empty() ? "" : "; " + left_out);
-  return section;
-}
-
-HistogramSection lengths_histogram(const ResultFolder& folder, bool corrected) {
-  const CsvTable table = read_rows(folder.file("histogram.csv"));
-  HistogramSection section{"histogram", "Fibers by length", {"length", "m"}, {"share of the fibers", "%"}, {},
-                           {}};
-  section.edges = table.column("length_low_m");
-  section.edges.push_back(table.column("length_high_m").back());
-  const auto percent = [&table](const char* column) {
-    std::vector<double> shares = table.column(column);
-    for (double& share : shares) share *= 100;
-    return shares;
-  };
-  section.frames = {{corrected ? "corrected" : "measured", percent("number_share")},
-                    {"by length", percent("length_share")}};
-  if (corrected) section.reference = HistogramFrame{"as measured", percent("uncorrected_number_share")};
-  return section;
-}
-
 TableSection orientation_table(const SummaryFile& summary) {
-  TableSection section{
-      "orientation", "Orientation tensor", {{"component"}, {"value"}, {"low"}, {"high"}}, {}};
+  TableSection section{"orientation",
+                       "Components of the orientation tensor",
+                       {{"component"}, {"value"}, {"low"}, {"high"}},
+                       {}};
   const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
              upper = summary.tensor("A2_upper");
   for (const auto& [i, j] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}) {
     section.rows.push_back({fmt::format("A_{}{}", i + 1, j + 1), estimate(i, j), lower(i, j), upper(i, j)});
   }
-  section.caption = fmt::format("{} directions.", summary.count("measured_directions"));
+  section.role = SectionRole::detail;
   return section;
+}
+
+/// Draws the components with their intervals beside each other.
+LinesSection components(const MeasurementCase& values, const SummaryFile& summary) {
+  LinesSection section{"components", "Orientation tensor", {"component"}, {"value"}, {}, {}};
+  const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
+             upper = summary.tensor("A2_upper");
+  ReportSeries points{"A_2", {}, CurveStyle::points};
+  for (const auto& [i, j] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}) {
+    section.x.names.push_back(fmt::format("A_{}{}", i + 1, j + 1));
+    points.x.push_back(static_cast<double>(section.x.names.size()));
+    points.values.push_back(estimate(i, j));
+    points.low.push_back(lower(i, j));
+    points.high.push_back(upper(i, j));
+  }
+  section.series = {std::move(points)};
+  section.legend = LegendValues::none;
+  section.caption = fmt::format("Bars: {:g} % by bootstrap over {} directions.",
+                                100 * values.statistics.level, summary.count("measured_directions"));
+  return section;
+}
+
+std::vector<Fact> direction_facts(const SummaryFile& summary) {
+  const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
+             upper = summary.tensor("A2_upper");
+  return {{"A_11", estimate(0, 0), "", fmt::format("{:.3f} to {:.3f}", lower(0, 0), upper(0, 0)),
+           Prominence::headline},
+          {"Orientation A_2", estimate},
+          {"Directions measured", summary.count("measured_directions")}};
 }
 
 HeatmapSection pole_figure(const ResultFolder& folder) {
@@ -109,15 +106,21 @@ HeatmapSection pole_figure(const ResultFolder& folder) {
 ReportDocument report_measurement(const MeasurementCase& values, const ResultFolder& folder) {
   const SummaryFile summary(folder.summary());
   ReportDocument document{"Measured fibers"};
-  document.sections.emplace_back(asked(values));
+  FactsSection results{"outcome", "Results", {}};
+  std::vector<ReportSection> sections;
   if (!values.lengths.file.empty()) {
-    document.sections.emplace_back(lengths_table(summary));
-    document.sections.emplace_back(lengths_histogram(folder, values.lengths.sample_diameter.has_value()));
+    append(results.rows, length_facts(values, summary, folder));
+    append(sections, length_sections(values, summary, folder));
   }
   if (!values.orientation.file.empty()) {
-    document.sections.emplace_back(orientation_table(summary));
-    document.sections.emplace_back(pole_figure(folder));
+    append(results.rows, direction_facts(summary));
+    sections.emplace_back(components(values, summary));
+    sections.emplace_back(pole_figure(folder));
+    sections.emplace_back(orientation_table(summary));
   }
+  document.sections.emplace_back(asked(values));
+  document.sections.emplace_back(std::move(results));
+  append(document.sections, std::move(sections));
   return document;
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/csv_table.hpp"
 #include "microstructure/eigenframe.hpp"
+#include "studies/measurement/length_tables.hpp"
 #include "studies/measurement/lists.hpp"
 #include "studies/summary_tensors.hpp"
 
@@ -83,6 +84,7 @@ void evaluate_lengths(const MeasurementCase& values, Outcome& outcome, Session& 
   summary.own.emplace_back("longest_m", *longest);
   outcome.tables.push_back({"histogram", histogram_table(values.lengths, measured, fibers)});
   outcome.tables.push_back({"distribution", distribution_table(fibers)});
+  append_distributions(fibers, histogram_edges(values.lengths, fibers), outcome);
 }
 
 /// How densely directions lie, over the mean; a direction and its opposite are one.

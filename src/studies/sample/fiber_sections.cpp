@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 #include "fibers/observables.hpp"
 #include "results/fiber_frame.hpp"
@@ -17,7 +15,6 @@ namespace {
 
 constexpr double most_bins = 400;
 constexpr double curvature_bins = 50;
-constexpr Index most_projected = 400;  // fibers in a projection: more only fill it
 
 std::size_t nearest_frame(const std::vector<double>& times, double time) {
   const auto nearer = [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); };
@@ -43,17 +40,6 @@ std::vector<double> curvatures_of(const FiberState& state) {
   std::vector<double> curvatures = hinge_radii(state);
   for (double& value : curvatures) value = 1 / value;
   return curvatures;
-}
-
-/// Outlines the cell as it is seen along an axis.
-ReportSeries cell_outline(const Cell& cell, int across, int up) {
-  ReportSeries outline{"cell", {}, CurveStyle::dashed};
-  const Vec3 first = cell.lattice.col(across), second = cell.lattice.col(up);
-  for (const Vec3& corner : {Vec3(Vec3::Zero()), first, Vec3(first + second), second, Vec3(Vec3::Zero())}) {
-    outline.x.push_back(corner[across]);
-    outline.values.push_back(corner[up]);
-  }
-  return outline;
 }
 
 void append_amount(std::vector<Fact>& facts, const FiberChoices& fibers) {
@@ -203,40 +189,6 @@ std::vector<double> fiber_lengths(const FiberState& state) {
   std::vector<double> lengths;
   for (const FiberIndex fiber : state.fibers()) lengths.push_back(fiber_length(state, fiber));
   return lengths;
-}
-
-std::vector<LinesSection> projection_sections(const VtkhdfReader& frames) {
-  const FiberState state = fibers_of(frames.read(frames.times().size() - 1));
-  const Index stride = 1 + state.fiber_count() / most_projected;
-  constexpr std::array<const char*, 3> axes = {"x", "y", "z"};
-  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  std::vector<LinesSection> sections;
-  for (int along = 2; along >= 0; --along) {
-    const int across = along == 0 ? 1 : 0, up = along == 2 ? 1 : 2;
-    const char* seen = axes[along];
-    LinesSection section{fmt::format("projection_{}", seen),
-                         fmt::format("Seen along {}", seen),
-                         {axes[across], "m"},
-                         {axes[up], "m"},
-                         {},
-                         {{"fibers", {}}}};
-    ReportSeries& fibers = section.series.front();
-    for (const FiberIndex fiber : state.fibers()) {
-      if (fiber.value() % stride != 0) continue;
-      for (const Vec3& x : state.positions(fiber)) {
-        fibers.x.push_back(x[across]);
-        fibers.values.push_back(x[up]);
-      }
-      fibers.x.push_back(fibers.x.back());
-      fibers.values.push_back(gap);
-    }
-    section.series.push_back(cell_outline(state.cell, across, up));
-    section.scales = LinesSection::Scales::equal;
-    section.caption = "Whole fibers, also where they leave the cell and come in again on its other side.";
-    if (stride > 1) section.caption += fmt::format(" One fiber of {} is drawn.", stride);
-    sections.push_back(std::move(section));
-  }
-  return sections;
 }
 
 }  // namespace fiberfate

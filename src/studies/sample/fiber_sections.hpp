@@ -36,7 +36,4 @@ namespace fiberfate {
 /// Lists the lengths of fibers, m.
 [[nodiscard]] std::vector<double> fiber_lengths(const FiberState& state);
 
-/// Draws the fibers of the last frame as they are seen along each axis: three sections.
-[[nodiscard]] std::vector<LinesSection> projection_sections(const VtkhdfReader& frames);
-
 }  // namespace fiberfate

@@ -1,5 +1,5 @@
 // Reads values back out of a vector figure by its ticks, as a person with a ruler would.
-import { read_number } from "./expect.mjs";
+import { plain_label, read_number } from "./expect.mjs";
 
 /** Gives the ticks of an axis as [place, value]. */
 async function read_ticks(figure, axis) {
@@ -8,9 +8,14 @@ async function read_ticks(figure, axis) {
   return ticks.map(([at, text]) => [at, read_number(text)]);
 }
 
-/** Makes the map from places in the figure to values of an axis. */
-export async function read_axis(figure, axis, scale) {
+/** Makes the map from places in the figure to values of an axis; names stand at 1, 2, 3, … */
+export async function read_axis(figure, axis, scale, names) {
   const ticks = await read_ticks(figure, axis);
+  if (names) {
+    const texts = await figure.locator(`.tick-${axis}`).allTextContents();
+    ticks.forEach((tick, k) => { tick[1] = 1 + names.findIndex((name) => plain_label(name) === texts[k]); });
+    if (ticks.length === 1) return () => ticks[0][1];
+  }
   const [[p0, v0], [p1, v1]] = [ticks[0], ticks.at(-1)];
   if (scale === "log") return (place) => v0 * (v1 / v0) ** ((place - p0) / (p1 - p0));
   return (place) => v0 + ((v1 - v0) * (place - p0)) / (p1 - p0);

@@ -1,5 +1,5 @@
 // Checks of curves: legend, values under the cursor, pixels, zoom, and the vector figure read back by its ticks.
-import { is_number, read_number, unit_factor } from "./expect.mjs";
+import { is_number, plain_label, read_number, unit_factor } from "./expect.mjs";
 import { read_axis, read_edges, with_print_figure } from "./figure.mjs";
 
 const last_of = (values) => values.filter(is_number).at(-1) ?? null;
@@ -37,7 +37,15 @@ async function check_cursor(page, section, factors, expect) {
   const area = await over.boundingBox();
   await page.mouse.move(area.x + 0.4 * area.width, area.y + 0.5 * area.height);
   const where = await page.locator(`[id="${section.id}"] .where`).textContent();
+  if (section.legend === "names") {
+    expect.equal(where, "", `${section.id}: a legend of names tells no place`);
+    return;
+  }
   expect.that(where.startsWith("at "), `${section.id}: the legend tells the place of the cursor, found “${where}”`);
+  if (section.x.names) {
+    expect.that(section.x.names.map(plain_label).includes(where.slice(3)), `${section.id}: the legend names a place, found “${where}”`);
+    return;
+  }
   const number = /([−\d.\u2009×⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)[^\d]*$/u.exec(where.slice(3 + section.x.label.replaceAll("_", "").length))?.[1] ?? "";
   const x = read_number(number) * factors.x;
   const values = await page.locator(`[id="${section.id}"] .legend .value`).allTextContents();
@@ -94,12 +102,21 @@ function scale_of(section, axis, values) {
   return section[axis].scale === "log" && values.some((value) => is_number(value) && value > 0) ? "log" : "linear";
 }
 
+/** Every point with bounds has a bar. */
+async function check_bars(figure, section, expect) {
+  const barred = section.series.filter((series) => (section.kind === "scatter" || series.style === "points") && series.low);
+  const bars = await figure.locator("path.bar").evaluateAll((paths) => paths.map((path) => (path.getAttribute("d").match(/M/g) ?? []).length));
+  const wanted = barred.map((series) => series.values.filter((_value, k) => is_number(series.low[k]) && is_number(series.high[k])).length);
+  expect.equal(bars.join(), wanted.join(), `${section.id}: bars of points`);
+}
+
 /** Reads the last drawn point of every curve back by the ticks of the vector figure. */
 async function check_figure(page, section, factors, expect) {
   await with_print_figure(page, section.id, async (figure) => {
     const y_scale = scale_of(section, "y", section.series.flatMap((series) => series.values));
     const x_scale = scale_of(section, "x", section.series.flatMap((series) => series.x ?? section.x.values ?? []));
-    const [to_x, to_y] = [await read_axis(figure, "x", x_scale), await read_axis(figure, "y", y_scale)];
+    const [to_x, to_y] = [await read_axis(figure, "x", x_scale, section.x.names), await read_axis(figure, "y", y_scale)];
+    await check_bars(figure, section, expect);
     for (const series of section.series) {
       const xs = series.x ?? section.x.values;
       const drawn = series.values.map((y, k) => [xs[k], y]).filter(([x, y]) =>
@@ -108,7 +125,7 @@ async function check_figure(page, section, factors, expect) {
       const mark = figure.locator(`[data-series=${JSON.stringify(series.label)}]`).last();
       const [px, py] = await mark.evaluate((node) => {
         const text = node.getAttribute("d") ?? `${node.getAttribute("cx")},${node.getAttribute("cy")}`;
-        return text.replace(/h2$/, "").split(/[ML]/).at(-1).split(",").map(Number);
+        return text.replace(/h2$|Z$/, "").split(/[ML]/).at(-1).split(",").map(Number);
       });
       const largest = Math.max(...section.series.flatMap((other) => other.values.filter(is_number)).map(Math.abs));
       const off = Math.abs(to_y(py) * factors.y - drawn.at(-1)[1]);
@@ -147,6 +164,21 @@ async function check_zoom(page, section, expect) {
   await page.mouse.move(1, 1);
 }
 
+/** The button of the logarithmic x axis must give one: what is drawn at a place is what its ticks say. */
+async function check_log_axis(page, section, expect) {
+  const button = page.locator(`[id="${section.id}"] .controls button`, { hasText: "log time" });
+  expect.equal(await button.count(), 1, `${section.id}: a logarithmic x axis is offered`);
+  await button.click();
+  await with_print_figure(page, section.id, async (figure) => {
+    const positive = section.x.values.filter((x) => is_number(x) && x > 0);
+    const to_x = await read_axis(figure, "x", "log");
+    const [from, to] = (await read_edges(figure)).map(to_x);
+    const unit = Math.max(...positive) / to;
+    expect.that(Math.abs(from * unit - Math.min(...positive)) <= 1e-2 * Math.min(...positive), `${section.id}: the logarithmic axis begins at ${from}`);
+  });
+  await button.click();
+}
+
 export async function check_lines(page, section, expect) {
   await page.locator(`[id="${section.id}"]`).scrollIntoViewIfNeeded();
   const factors = await read_factors(page, section);
@@ -156,4 +188,5 @@ export async function check_lines(page, section, expect) {
   await check_figure(page, section, factors, expect);
   const linear = section.x.scale !== "log" && (section.x.values ?? []).length > 3;
   if (linear && section.kind === "lines") await check_zoom(page, section, expect);
+  if (linear && section.id === "orientation") await check_log_axis(page, section, expect);
 }

@@ -15,7 +15,7 @@ export const looks = {
 export async function check_tiles(page, found, expect) {
   const facts = found.sections.flatMap((section) => (section.kind === "facts" ? section.rows : []));
   const numbers = facts.flatMap(({ value, unit }) => (Array.isArray(value) ? [[value[0][0], unit]] : [[value, unit]])).filter(([value]) => is_number(value));
-  const tiles = await page.locator(".tile").evaluateAll((elements) => elements.map((element) => ({
+  const tiles = await page.locator(".tile:not(.compared)").evaluateAll((elements) => elements.map((element) => ({
     label: element.dataset.label, value: Number(element.dataset.value), shown: element.querySelector(".tile-value").textContent,
     unit: element.querySelector(".tile-value .unit")?.textContent ?? "",
   })));
@@ -26,6 +26,23 @@ export async function check_tiles(page, found, expect) {
     if (!match) continue;
     const number = read_number(shown.slice(0, shown.length - unit.length));
     expect.near(number * unit_factor(unit.trim(), match[1]), value, `headline ${plain_label(label)}`, 6e-3);
+  }
+}
+
+/** The tiles of several runs: every run's number, all of a tile in one unit. */
+export async function check_compared_tiles(page, found, expect) {
+  const rows = found.sections.filter(({ kind, role }) => kind === "comparison" && (role ?? "outcome") === "outcome").flatMap((section) => section.rows.map((row) => ({ ...row, runs: section.runs })));
+  const tiles = page.locator(".tile.compared");
+  if (rows.some(({ headline }) => headline)) expect.equal(await tiles.count(), Math.min(4, rows.filter(({ headline }) => headline).length), "headlines of several runs");
+  for (let k = 0; k < (await tiles.count()); ++k) {
+    const label = await tiles.nth(k).getAttribute("data-label");
+    const row = rows.find((one) => one.label === label);
+    const unit = /\((.*)\)$/.exec(await tiles.nth(k).locator(".tile-label").textContent())?.[1] ?? "";
+    const shown = await tiles.nth(k).locator("li").evaluateAll((items) => items.map((item) => [item.dataset.run, item.querySelector("b").textContent]));
+    shown.forEach(([run, text], j) => {
+      expect.equal(run, row.runs[j], `headline ${label}: run ${j}`);
+      if (is_number(row.values[j])) expect.near(read_number(text) * unit_factor(unit, row.unit), row.values[j], `headline ${label} of ${run}`, 6e-3);
+    });
   }
 }
 

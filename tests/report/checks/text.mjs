@@ -44,6 +44,28 @@ export async function check_table(page, section, expect) {
   }
 }
 
+/** Every fact of every run, with the ends of replicas. */
+export async function check_comparison(page, section, expect) {
+  const table = page.locator(`[id="${section.id}"] table`);
+  const heads = await table.locator("thead th").allTextContents();
+  expect.equal(heads.join(), section.runs.map(plain_label).join(), `${section.id}: runs`);
+  const rows = table.locator("tbody tr");
+  expect.equal(await rows.count(), section.rows.length, `${section.id}: rows`);
+  for (const [j, fact] of section.rows.entries()) {
+    const unit = (await rows.nth(j).locator("th .unit").allTextContents()).join("").trim();
+    const cells = await rows.nth(j).locator("td").evaluateAll((all) => all.map((cell) => [cell.childNodes[0]?.textContent ?? "", cell.querySelector("small")?.textContent]));
+    fact.values.forEach((value, k) => {
+      const what = `${section.id}: ${fact.label} of ${section.runs[k]}`;
+      if (is_number(value)) expect.near(read_number(cells[k][0]) * unit_factor(unit, fact.unit), value, what);
+      else expect.equal(cells[k][0], value === null ? "–" : plain_label(value), what);
+      if (!is_number(fact.low?.[k]) || fact.low[k] === fact.high[k]) return;
+      const ends = (cells[k][1] ?? "").split(" to ").map((text) => read_number(text) * unit_factor(unit, fact.unit));
+      expect.near(ends[0], fact.low[k], `${what}, least`);
+      expect.near(ends[1], fact.high[k], `${what}, largest`);
+    });
+  }
+}
+
 export async function check_note(page, section, expect) {
   const text = await page.locator(`[id="${section.id}"] .note`).textContent();
   expect.that(text.includes(section.kind), `${section.id}: the note names the unknown kind`);
