@@ -19,6 +19,7 @@ def lines(columns, across, ups, labels):
     chart = Chart((min(x), max(x)), (low, max(max(values) for _, values in curves) * 1.03), labels)
     for (name, values), ink in zip(curves, SERIES):
         chart.line(list(zip(x, values)), ink)
+    for (name, _), ink in reversed(list(zip(curves, SERIES))):
         chart.name(name, ink)
     return chart.sheet
 
@@ -58,7 +59,7 @@ def scale_of(values):
     return (1e3, "length, mm") if max(map(abs, values)) < 0.05 else (1, "orientation")
 
 
-def fits(folder, summary):
+def fits(folder, _):
     """Draws what was measured and what was fitted: over time, or one against the other where all is at one time."""
     points, curves = table(folder, "fit.csv"), table(folder, "curves.csv")
     if max(curves["time_s"]) == 0:
@@ -90,5 +91,4 @@ DRAW = {"orientation": orientation, "shear_cell": orientation, "attrition": leng
 
 def draw(folder, summary):
     """Returns the picture of a study and what it shows."""
-    sheet, shows = DRAW[summary["study"]](folder, summary)
-    return sheet, shows
+    return DRAW[summary["study"]](folder, summary)

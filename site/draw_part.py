@@ -49,6 +49,6 @@ def draw(folder):
     for triangle in triangles[np.argsort(near[triangles].mean(axis=1))]:
         when = times[triangle].mean()
         ink = "#e6e8eb" if np.isnan(when) else colour("viridis", when / latest)
-        sheet.polygon(flat[triangle], f'fill="{ink}" stroke="{ink}" stroke-width="0.7"')
+        sheet.polygon(flat[triangle], f'fill="{ink}" stroke="{ink}" stroke-width="1.2"')
     add_scale(sheet, latest)
     return sheet, "When the melt comes to every place of the part"

@@ -88,7 +88,7 @@ class Chart:
         return (self.LEFT + share[0] * (self.RIGHT - self.LEFT), self.BOTTOM - share[1] * (self.BOTTOM - self.TOP))
 
     def name(self, words, fill):
-        """Adds a name to the legend."""
+        """Adds a name to the legend, before those that it has."""
         x = self.RIGHT - 90 * (1 + self.used)
         self.sheet.box(x, 11, 12, 12, fill)
         self.sheet.text(x + 17, 22, words, f'text-anchor="start" fill="{INK}"')

@@ -81,7 +81,11 @@ def card(folder, picture):
     """Returns the card of a case: its picture, its title, its first sentence."""
     title, body = split((folder / "README.md").read_text(encoding="utf-8"))
     own = IMAGE.search(body)
-    source = f"../pictures/{picture.file.name}" if picture else f"{folder.name}/{own['file']}" if own else ""
+    is_fit = read(folder, "case.toml")["study"] == "calibration"
+    if own and (is_fit or not picture):
+        source = f"{folder.name}/{own['file']}"
+    else:
+        source = f"../pictures/{picture.file.name}" if picture else ""
     image = f'<img src="{source}" alt="" loading="lazy">' if source else ""
     return (f'<a class="card" href="{folder.name}/index.html">{image}<strong>{html.escape(title)}</strong>'
             f"<span>{html.escape(first_sentence(body))}</span></a>")
@@ -96,7 +100,7 @@ def by_group(folders):
 def gallery(folders, pictures):
     """Returns the page that shows all cases."""
     text = ("# Gallery\n\nEvery case is an example, a test and a page at once: `fiberfate new NAME` copies it, and a test runs it, "
-            "shortened, against its numbers. The pictures are drawn from these short runs.\n")
+            "shortened, against its numbers. Most pictures are drawn from these short runs.\n")
     for title, members in by_group(folders):
         cards = "\n".join(card(folder, pictures.get(folder.name)) for folder in members)
         text += f'\n## {title}\n\n<div class="cards">\n{cards}\n</div>\n'

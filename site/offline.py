@@ -4,7 +4,7 @@ import re
 import shutil
 
 KATEX = "/usr/share/javascript/katex"
-FONTS = re.compile(r"(url\(fonts/[\w-]+\.woff2\) format\(\"woff2\"\))(?:,url\([^)]*\) format\(\"[a-z]+\"\))*")
+FONTS = re.compile(r"(url\(fonts/[\w-]+\.woff2\) *format\([^)]*\))(?:, *url\([^)]*\) *format\([^)]*\))*")
 FOR_SERVERS = ("404.html", "sitemap.xml", "sitemap.xml.gz", "search/search_index.json")
 
 
@@ -23,7 +23,8 @@ def add_search(html, left_out):
     """Writes search/offline.js, which gives the theme its index and its worker.
 
     Pages that were opened as files may neither fetch an index nor start a worker from a file. They may load a script, and
-    start a worker from what it holds. The theme takes both from the variable __search.
+    start a worker from what it holds. The theme takes both from the variable __search, and a function that makes words of
+    what a reader types: of fibers.length those that the index has.
     """
     index = json.loads((html / "search/search_index.json").read_text(encoding="utf-8"))
     index["docs"] = [one for one in index["docs"] if one["location"].partition("#")[0] not in left_out]
@@ -31,7 +32,8 @@ def add_search(html, left_out):
     worker = re.sub(r"\n//# sourceMappingURL=.*", "", worker)
     (html / "search/offline.js").write_text(
         f"var __search = {{\n  index: Promise.resolve({json.dumps(index)}),\n"
-        f"  worker: URL.createObjectURL(new Blob([{json.dumps(worker)}], {{type: \"text/javascript\"}})),\n}};\n", encoding="utf-8")
+        f"  worker: URL.createObjectURL(new Blob([{json.dumps(worker)}], {{type: \"text/javascript\"}})),\n"
+        "  transform: (typed) => typed.replace(/[^\\p{L}\\p{N}_]+/gu, \" \").trim(),\n};\n", encoding="utf-8")
 
 
 def take_out(html):

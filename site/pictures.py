@@ -69,6 +69,7 @@ def picture(root, program, folder, pictures):
             out = pathlib.Path(scratch) / "result"
             run(program, folder, out)
             sheet, shows = draw(root, out)
+        shows += ", in plaque.toml" if (folder / "plaque.toml").exists() else ""
         words.write_text(shows, encoding="utf-8")
         file.write_text(sheet.svg(), encoding="utf-8")
     return Picture(file, words.read_text(encoding="utf-8"))
