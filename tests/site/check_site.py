@@ -12,6 +12,7 @@ import urllib.parse
 
 LOADED = {("link", "href"), ("script", "src"), ("img", "src"), ("source", "src"), ("iframe", "src"), ("object", "data")}
 STYLE = re.compile(r"url\(\s*[\"']?([^)\"']+)")
+COMMAND = re.compile(r"\s*fiberfate (new|check|run|resume|report|export|import|explain) ")
 CODE = re.compile(r"\.(?:cpp|hpp|c|py|toml|txt|md)\.html$")
 
 
@@ -22,6 +23,7 @@ class Page(html.parser.HTMLParser):
         super().__init__()
         self.path, self.links, self.loaded, self.anchors = path, [], [], {""}
         self.title, self.headings, self.pictures_without_words, self.inside = "", 0, 0, ""
+        self.commands_as_text = []
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
@@ -40,6 +42,8 @@ class Page(html.parser.HTMLParser):
     def handle_data(self, data):
         if self.inside == "title":
             self.title += data.strip()
+        elif self.inside == "p" and COMMAND.match(data):
+            self.commands_as_text.append(data.split("\n")[0])
 
     def handle_endtag(self, tag):
         self.inside = ""
@@ -92,6 +96,8 @@ def check_page(page, pages):
         yield f"{page.headings} first headings"
     if page.pictures_without_words:
         yield "a picture without words in its place"
+    for command in page.commands_as_text:
+        yield f"a command became text (indented, it belongs to the list before it): {command}"
 
 
 def check_styles(root):

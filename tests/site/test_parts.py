@@ -82,6 +82,7 @@ def check(folder):
     ('<script src="//example.org/a.js"></script>', "//example.org/a.js would be loaded from elsewhere"),
     ('<link rel="stylesheet" href="gone.css">', "gone.css is not there"),
     ("<h1>Two</h1>", "2 first headings"),
+    ("<p>fiberfate run case.toml</p>", "a command became text"),
 ])
 def test_the_check_of_the_site_sees_what_is_wrong(tmp_path, body, complaint):
     page = "<html><head><title>One</title></head><body><h1>One</h1>{}</body></html>"
