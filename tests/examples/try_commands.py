@@ -47,6 +47,7 @@ class Page:
 
     def call(self, *words):
         """Runs the program; returns its output, or nothing when it failed, which is noted."""
+        words = [word.replace("$PWD", str(self.folder)) for word in words]
         done = subprocess.run([self.program, *words], cwd=self.folder, capture_output=True, text=True, check=False)
         if done.returncode != 0 and WITHOUT_PAGE not in done.stderr:
             self.failures.append(f"{self.page}: fiberfate {' '.join(words)}: exit status {done.returncode}\n{done.stderr}")
