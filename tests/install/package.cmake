@@ -15,6 +15,9 @@ foreach(file man/man1/fiberfate.1 bash-completion/completions/fiberfate zsh/vend
   endif()
 endforeach()
 check_c_programs("${root}/usr" "${work}")
+if(SITE)
+  run("${PYTHON}" "${SOURCES}/../site/check_site.py" "${root}/usr/share/doc/fiberfate/html")
+endif()
 
 # The package that brings each library that a program or the library in C needs.
 execute_process(COMMAND dpkg-deb --field "${package}" Depends OUTPUT_VARIABLE depends COMMAND_ERROR_IS_FATAL ANY)
