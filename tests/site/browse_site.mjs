@@ -6,6 +6,8 @@ import { parseArgs } from "node:util";
 import { pathToFileURL } from "node:url";
 import { browser_options, launch_browser, settle } from "../report/browser.mjs";
 
+const patience = 240000; // ms, on a machine that is busy with other tests
+
 const complaints = [];
 
 function expect(is_so, what) {
@@ -45,7 +47,7 @@ async function check_search(context, site, [from, word, target]) {
   await page.click("[data-md-component=search-query]");
   await page.keyboard.type(word);
   const link = page.locator(`.md-search-result__item a[href*="${target}"]`).first();
-  const is_found = await link.waitFor({ timeout: 20000 }).then(() => true, () => false);
+  const is_found = await link.waitFor().then(() => true, () => false);
   expect(is_found, `searching ${word} from ${from} does not find ${target}`);
   if (is_found) {
     await link.click();
@@ -67,6 +69,7 @@ const searches = [
 const browser = await launch_browser(options);
 try {
   const context = await browser.newContext({ viewport: { width: 1400, height: 1000 }, offline: true });
+  context.setDefaultTimeout(patience);
   let equations = 0;
   for (const name of ["index.html", "cases/index.html", "cases/30_plaque/index.html", "docs/guide/case_keys.html", ...theory]) {
     const page = await open_file(context, site, name);
