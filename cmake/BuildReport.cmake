@@ -1,5 +1,6 @@
 # Builds the report's template: cmake -D npm=NPM -D source=REPORT -D work=DIR -P BuildReport.cmake leaves
-# DIR/dist/index.html. Packages are installed again only when the lock file has changed.
+# DIR/dist/index.html, and with -D code_template=IN -D code=OUT the code that holds it. Packages are installed again only
+# when the lock file has changed.
 function(run what)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY "${work}" RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT status EQUAL 0)
@@ -27,3 +28,8 @@ if(NOT installed STREQUAL wanted)
   file(WRITE "${stamp}" "${wanted}")
 endif()
 run("The build of the report" "${npm}" run build)
+
+set(FIBERFATE_REPORT_TEMPLATE "${work}/dist/index.html")
+file(SHA256 "${FIBERFATE_REPORT_TEMPLATE}" FIBERFATE_REPORT_DIGEST)
+configure_file("${code_template}" "${code}" @ONLY)
+file(TOUCH "${code}")

@@ -19,7 +19,8 @@ function(_fiberfate_require_npm out)
 endfunction()
 
 function(fiberfate_embed_report target)
-  set(template "")
+  set(code "${PROJECT_BINARY_DIR}/report_template.cpp")
+  set(code_template "${PROJECT_SOURCE_DIR}/cmake/report_template.cpp.in")
   if(FIBERFATE_REPORT)
     _fiberfate_require_npm(npm)
     set(source "${PROJECT_SOURCE_DIR}/report")
@@ -30,18 +31,17 @@ function(fiberfate_embed_report target)
     file(GLOB_RECURSE inputs CONFIGURE_DEPENDS "${source}/src/*")
     list(APPEND inputs "${source}/package.json" "${source}/package-lock.json" "${source}/.npmrc"
       "${source}/tsconfig.json" "${source}/vite.config.ts" "${source}/index.html")
-    add_custom_command(OUTPUT "${template}"
-      COMMAND "${CMAKE_COMMAND}" -D "npm=${npm}" -D "source=${source}" -D "work=${work}" -P "${script}"
-      DEPENDS ${inputs} "${script}"
+    # The code names the digest of the page: a cache of compiled files sees no other trace of the assembler's .incbin.
+    add_custom_command(OUTPUT "${template}" "${code}"
+      COMMAND "${CMAKE_COMMAND}" -D "npm=${npm}" -D "source=${source}" -D "work=${work}" -D "code=${code}"
+        -D "code_template=${code_template}" -P "${script}"
+      DEPENDS ${inputs} "${script}" "${code_template}"
       COMMENT "Building the HTML report's template with npm"
       VERBATIM)
-  endif()
-  set(code "${PROJECT_BINARY_DIR}/report_template.cpp")
-  set(FIBERFATE_REPORT_TEMPLATE "${template}")
-  configure_file("${PROJECT_SOURCE_DIR}/cmake/report_template.cpp.in" "${code}" @ONLY)
-  if(template)
     # The compiler does not see the assembler's .incbin as an input.
     set_source_files_properties("${code}" PROPERTIES OBJECT_DEPENDS "${template}" COMPILE_DEFINITIONS FIBERFATE_HAS_REPORT)
+  else()
+    configure_file("${code_template}" "${code}" @ONLY)
   endif()
   target_sources(${target} PRIVATE "${code}")
 endfunction()

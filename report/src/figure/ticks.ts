@@ -14,10 +14,17 @@ export function linear_ticks(min: number, max: number, count: number): number[] 
   return ticks;
 }
 
-/** Gives the powers of ten inside a range, and their 2 and 5 fold where the range is short. */
-export function log_ticks(min: number, max: number): number[] {
+/** Gives the powers of ten inside a range, and their 2 and 5 fold where the range is short and they find room. */
+export function log_ticks(min: number, max: number, count: number): number[] {
   const decades = Math.log10(max / min);
-  const factors = decades < 1 ? [1, 2, 3, 5, 7] : decades < 2.5 ? [1, 2, 5] : [1];
+  if (decades < 1) return round_ticks(min, max, [1, 2, 3, 5, 7], count);
+  const ticks = round_ticks(min, max, decades < 2.5 ? [1, 2, 5] : [1], count);
+  return ticks.length > 2 * count ? round_ticks(min, max, [1], count) : ticks;
+}
+
+/** Gives these multiples of powers of ten inside a range, or even ticks where there are too few. */
+function round_ticks(min: number, max: number, factors: number[], count: number): number[] {
+  const decades = Math.log10(max / min);
   const stride = Math.max(1, Math.ceil(decades / 8));
   const ticks: number[] = [];
   for (let power = Math.floor(Math.log10(min)); power <= Math.ceil(Math.log10(max)); ++power) {
@@ -27,11 +34,11 @@ export function log_ticks(min: number, max: number): number[] {
       if (tick >= min * 0.9999 && tick <= max * 1.0001) ticks.push(tick);
     }
   }
-  return ticks.length >= 2 ? ticks : linear_ticks(min, max, 4).filter((tick) => tick > 0);
+  return ticks.length >= 2 ? ticks : linear_ticks(min, max, Math.min(4, count)).filter((tick) => tick > 0);
 }
 
 export function make_ticks(min: number, max: number, scale: Scale, count: number): number[] {
-  return scale === "log" ? log_ticks(min, max) : linear_ticks(min, max, count);
+  return scale === "log" ? log_ticks(min, max, count) : linear_ticks(min, max, count);
 }
 
 /** Gives the ticks of a colour bar: both ends, and round values that keep away from them. */
@@ -46,7 +53,9 @@ const round_off = 1e-9;
 export function pad_range(min: number, max: number, scale: Scale): [number, number] {
   if (!Number.isFinite(min) || !Number.isFinite(max)) return scale === "log" ? [1, 10] : [0, 1];
   if (scale === "log") {
-    const room = Math.max((max / min) ** 0.05, 1.1);
+    const ratio = max / min;
+    // A short range needs less room than a decade, and a constant some.
+    const room = ratio > 1.0001 ? Math.max(ratio ** 0.05, Math.min(1.1, ratio ** 0.1)) : 1.1;
     return [min / room, max * room];
   }
   // A constant that differs by round-off only is drawn as a constant.

@@ -78,13 +78,14 @@ void append_band(LinesSection& section) {
       low = std::min(low, x);
       high = std::max(high, x);
     }
+  if (low > 0 && low < 0.35 * high) low = 0;
   if (!section.x.names.empty()) {
     low = 0.5;
     high = static_cast<double>(section.x.names.size()) + 0.5;
   }
   ReportSeries band{"two uncertainties", {0, 0}, CurveStyle::dashed, {low, high}, {-2, -2}, {2, 2}};
   band.colour = static_cast<int>(section.series.size());
-  section.series.push_back(std::move(band));
+  section.series.insert(section.series.begin(), std::move(band));
 }
 
 /// A quantity that shares a picture, with its unit.

@@ -127,6 +127,7 @@ std::vector<HeatmapSection> density_sections(const ResultFolder& folder) {
       sections.back().unit = "%";
       sections.back().range = {0, densest};
       sections.back().scales = HeatmapSection::Scales::equal;
+      sections.back().caption = "Mean over columns through the whole cell; all maps have one scale.";
     }
     HeatmapSection& section = sections.back();
     if (section.y_values.empty() || up != section.y_values.back()) {

@@ -130,8 +130,9 @@ HistogramSection lengths(const SummaryFile& summary) {
       "lengths", "Fiber lengths", {"length", "m"}, {"fibers"}, summary.numbers("length_edges_m"), {}};
   section.frames.push_back({"this cluster", summary.numbers("length_fibers")});
   section.reference = HistogramFrame{"asked", summary.numbers("length_fibers_asked")};
-  section.caption = fmt::format("Chi-square against the input: {:.3g} over {} bins.",
-                                summary.number("length_chi_square"), summary.count("length_chi_square_bins"));
+  const std::int64_t bins = summary.count("length_chi_square_bins");
+  section.caption = fmt::format("Chi-square against the input: {:.3g} over {} {}.",
+                                summary.number("length_chi_square"), bins, bins == 1 ? "bin" : "bins");
   return section;
 }
 

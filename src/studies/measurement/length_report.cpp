@@ -71,7 +71,8 @@ HistogramSection bars(const Counting& counting, const MeasurementCase& values, c
   return section;
 }
 
-LinesSection cumulative(const Counting& counting, const SummaryFile& summary, const ResultFolder& folder) {
+LinesSection cumulative(const Counting& counting, const MeasurementCase& values, const SummaryFile& summary,
+                        const ResultFolder& folder) {
   const CsvTable curves = read_rows(folder.file("length_curves.csv"));
   LinesSection section{
       "cumulative_" + counting.id,
@@ -79,7 +80,8 @@ LinesSection cumulative(const Counting& counting, const SummaryFile& summary, co
       {"length", "m"},
       {counting.axis, "%"},
       curves.column("length_m"),
-      {{"list", percent(curves, counting.column + "_share_below")}}};
+      {{values.lengths.sample_diameter ? "corrected" : "measured",
+        percent(curves, counting.column + "_share_below")}}};
   for (const LawName& law : law_names)
     if (was_fitted(summary, law))
       section.series.push_back(
@@ -90,12 +92,12 @@ LinesSection cumulative(const Counting& counting, const SummaryFile& summary, co
 
 TableSection quantiles(const ResultFolder& folder) {
   const CsvTable table = read_rows(folder.file("quantiles.csv"));
-  TableSection section{"quantiles",
-                       "Quantiles",
-                       {{"share", "%"},
-                        {"of the fibers are shorter than", "m"},
-                        {"of the total length is in fibers shorter than", "m"}},
-                       {}};
+  TableSection section{
+      "quantiles",
+      "Quantiles",
+      {{"share", "%"}, {"by number", "m"}, {"by length", "m"}},
+      {},
+      "Such a share of the fibers, and of the total length, is in fibers up to this length."};
   const std::vector<double> shares = percent(table, "share");
   for (std::size_t i = 0; i < table.rows(); ++i)
     section.rows.push_back({shares[i], table.column("by_number_m")[i], table.column("by_length_m")[i]});
@@ -175,7 +177,8 @@ std::vector<ReportSection> length_sections(const MeasurementCase& values, const 
   std::vector<ReportSection> sections;
   for (const Counting& counting : countings) sections.emplace_back(bars(counting, values, summary, folder));
   if (has_laws(folder)) {
-    for (const Counting& counting : countings) sections.emplace_back(cumulative(counting, summary, folder));
+    for (const Counting& counting : countings)
+      sections.emplace_back(cumulative(counting, values, summary, folder));
     sections.emplace_back(quantiles(folder));
   }
   sections.emplace_back(means(summary, values.lengths.sample_diameter.has_value()));
