@@ -7,8 +7,14 @@ const apart_among_eight = 12;
 
 /** The first curves of every chart must be told apart by their colours alone. */
 export async function check_series_colours(page, name, expect) {
-  const charts = await page.locator(".kind-lines .legend, .kind-scatter .legend").evaluateAll((legends) =>
-    legends.map((legend) => [...legend.querySelectorAll("button")].map((button) => button.style.getPropertyValue("--series")).slice(0, 8)));
+  const all = await page.locator(".kind-lines .legend, .kind-scatter .legend").evaluateAll((legends) =>
+    legends.map((legend) => [...legend.querySelectorAll("button")].map((button) => [button.style.getPropertyValue("--series"), button.querySelector(".mark").className])));
+  for (const entries of all) {
+    // A curve and its points may share a colour, two curves may not.
+    const looks = entries.slice(0, 8).map((look) => look.join());
+    expect.equal(new Set(looks).size, looks.length, `${name}: looks in a legend`);
+  }
+  const charts = all.map((entries) => [...new Set(entries.map(([colour]) => colour))].slice(0, 8));
   const longest = charts.sort((a, b) => b.length - a.length)[0] ?? [];
   for (const vision of kinds_of_vision) {
     for (let j = 1; j < longest.length; ++j) {
