@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <sstream>
+#include <utility>
 
 #include "app/study_registry.hpp"
 #include "base/error.hpp"
@@ -26,26 +26,15 @@ fs::path whole(const std::string& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-/// Reads the lines of a resolved case: "key = value  # unit" below "[table]".
+/// Lists the keys that a case gives, as case.resolved.toml has them.
 std::vector<ResolvedKey> keys_of(const LoadedCase& loaded) {
+  CaseValues values = loaded.values;
+  KeyTable table;
+  loaded.kind->describe(table, values);
   std::vector<ResolvedKey> keys;
-  std::istringstream text(resolved_case(*loaded.kind, loaded.values));
-  std::string line, table;
-  while (std::getline(text, line)) {
-    if (line.empty() || line.front() == '#') continue;
-    if (line.front() == '[') {
-      table = line.substr(1, line.find(']') - 1) + ".";
-      continue;
-    }
-    const std::size_t equals = line.find(" = "), unit = line.rfind("  # ");
-    if (equals == std::string::npos) continue;
-    ResolvedKey key{table + line.substr(0, equals), line.substr(equals + 3)};
-    if (unit != std::string::npos) {
-      key.value = line.substr(equals + 3, unit - equals - 3);
-      key.unit = line.substr(unit + 4);
-    }
-    if (key.name != "study" && key.name != "version") keys.push_back(std::move(key));
-  }
+  for (const Key& key : table.keys())
+    if (std::string value = key.write(NumberStyle::si); !value.empty())
+      keys.push_back({key.name, std::move(value), key.notes.unit == "1" ? "" : key.notes.unit});
   return keys;
 }
 
@@ -77,10 +66,11 @@ void require_different(const std::vector<fs::path>& folders) {
       throw InputError(fmt::format("{} is given twice", folders[i].string()), "name every folder once");
 }
 
-}  // namespace
+LoadedCase case_of(const ResultFolder& folder) {
+  return load_resolved_case(folder.resolved_case(), case_kinds());
+}
 
-ReportDocument report_of(const ResultFolder& folder) {
-  const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
+ReportDocument report_of(const LoadedCase& loaded, const ResultFolder& folder) {
   if (!fs::exists(folder.summary()) && !fs::exists(folder.frames()))
     throw InputError(folder.path() + " has nothing to show: the run ended before its first result",
                      "continue it with 'fiberfate resume', or run the case again");
@@ -93,6 +83,12 @@ ReportDocument report_of(const ResultFolder& folder) {
   return document;
 }
 
+}  // namespace
+
+ReportDocument report_of(const ResultFolder& folder) {
+  return report_of(case_of(folder), folder);
+}
+
 ReportDocument compare_folders(const std::vector<std::string>& folders) {
   std::vector<fs::path> paths;
   for (const std::string& folder : folders) paths.push_back(whole(folder));
@@ -101,12 +97,12 @@ ReportDocument compare_folders(const std::vector<std::string>& folders) {
   std::vector<ComparedRun> runs;
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const ResultFolder folder = ResultFolder::open(folders[i]);
-    const LoadedCase loaded = load_resolved_case(folder.resolved_case(), case_kinds());
+    const LoadedCase loaded = case_of(folder);
     if (!runs.empty() && loaded.kind->name != runs.front().document.study)
       throw InputError(fmt::format("{} holds a result of the study {}, {} one of {}", folders[0],
                                    runs.front().document.study, folders[i], loaded.kind->name),
                        "compare results of one study");
-    runs.push_back({names[i], report_of(folder), keys_of(loaded)});
+    runs.push_back({names[i], report_of(loaded, folder), keys_of(loaded)});
   }
   return compare_reports(runs);
 }
