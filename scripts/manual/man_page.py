@@ -33,8 +33,8 @@ def command_lines(command):
     return lines + (literal(command.footer.split("\n")) if command.footer else [])
 
 
-def man_page(commands, overview, version):
-    """Writes the page; `overview` is what the program says of itself."""
+def man_page(commands, overview, statuses, version):
+    """Writes the page; `overview` is what the program says of itself, `statuses` are pairs of an exit status and what it means."""
     title, *session = overview
     lines = [f".TH FIBERFATE 1 \"\" \"fiberfate {version}\" \"User Commands\"", ".SH NAME",
              "fiberfate \\- predict what becomes of the fibers when a fiber composite is processed", ".SH SYNOPSIS",
@@ -44,8 +44,7 @@ def man_page(commands, overview, version):
     for command in commands:
         lines += command_lines(command)
     lines += [".SH EXIT STATUS"]
-    for status, meaning in (("0", "done"), ("2", "bad input"), ("3", "the simulation failed"),
-                            ("4", "stopped by a signal after a checkpoint")):
+    for status, meaning in statuses:
         lines += [".TP", f"\\fB{status}\\fR", meaning]
     lines += [".SH SEE ALSO", "The pages and worked cases below \\fI/usr/share/doc/fiberfate\\fR, and"
               " \\fBfiberfate explain\\fR."]

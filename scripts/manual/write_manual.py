@@ -22,10 +22,11 @@ def main(program, folder):
     new = next(command for command in commands if command.name == "new")
     values = completions.Values(command_line.read_keys(program), listed_after(new.footer, "Studies"),
                                 listed_after(new.footer, "Gallery"))
-    overview = command_line.read_help(program)
-    overview = overview[: next(i for i, line in enumerate(overview) if line.startswith("Usage:"))]
+    said = command_line.read_help(program)
+    overview = said[: next(i for i, line in enumerate(said) if line.startswith("Usage:"))]
+    statuses = [status.split(" ", 1) for status in listed_after("\n".join(said).rstrip("."), "Exit status")]
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
-    texts = {"fiberfate.1": man_page(commands, overview, version), "fiberfate.bash": completions.bash(commands, values),
+    texts = {"fiberfate.1": man_page(commands, overview, statuses, version), "fiberfate.bash": completions.bash(commands, values),
              "_fiberfate": completions.zsh(commands, values), "fiberfate.fish": completions.fish(commands, values)}
     for name, text in texts.items():
         (folder / name).write_text(text, encoding="utf-8")
