@@ -10,8 +10,7 @@ std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const
   const std::vector<double> values = law_values(menu, choice);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LawParameter& parameter = law->parameters[i];
-    facts.push_back(
-        {parameter.name, values[i], parameter.unit == "1" ? "" : parameter.unit, parameter.meaning});
+    facts.push_back({parameter.name, values[i], shown_unit(parameter.unit), parameter.meaning});
   }
   return facts;
 }

@@ -10,6 +10,11 @@
 
 namespace fiberfate {
 
+/// Gives a unit as a report shows it: none for a pure number, whose unit is "1".
+[[nodiscard]] inline std::string shown_unit(const std::string& unit) {
+  return unit == "1" ? "" : unit;
+}
+
 /// Lists the chosen law and its parameters; nothing where no law is chosen.
 [[nodiscard]] std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label,
                                           const LawChoice& choice);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "studies/law_facts.hpp"
+
 namespace fiberfate {
 namespace {
 
@@ -70,15 +72,27 @@ std::vector<double> places_of(const MeasuredSeries& one, const std::vector<doubl
   return middles;
 }
 
+/// What a line across points spans: from their least to their largest, or from zero where that is near.
+class Ends {
+ public:
+  void take(const std::vector<double>& numbers) {
+    for (const double number : numbers) {
+      low_ = std::min(low_, number);
+      high_ = std::max(high_, number);
+    }
+  }
+  [[nodiscard]] double low() const { return low_ > 0 && low_ < 0.35 * high_ ? 0 : low_; }
+  [[nodiscard]] double high() const { return high_; }
+
+ private:
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
 /// Lays the band of two uncertainties behind the points.
 void append_band(LinesSection& section) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ReportSeries& one : section.series)
-    for (const double x : one.x) {
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-  if (low > 0 && low < 0.35 * high) low = 0;
+  Ends ends;
+  for (const ReportSeries& one : section.series) ends.take(one.x);
+  double low = ends.low(), high = ends.high();
   if (!section.x.names.empty()) {
     low = 0.5;
     high = static_cast<double>(section.x.names.size()) + 0.5;
@@ -110,7 +124,7 @@ LinesSection& picture_of(std::vector<LinesSection>& pictures, const MeasuredSeri
   const std::string quantity = quantity_of(one), y = "fitted " + quantity;
   const auto found = std::ranges::find_if(pictures, [&](const LinesSection& p) { return p.y.label == y; });
   if (found != pictures.end()) return *found;
-  const std::string unit = one.unit == "1" ? "" : one.unit;
+  const std::string unit = shown_unit(one.unit);
   LinesSection section{fmt::format("parity_{}{}", pictures.size(), name.prefix),
                        "Fitted against measured" + name.heading,
                        {"measured " + quantity, unit},
@@ -123,15 +137,13 @@ LinesSection& picture_of(std::vector<LinesSection>& pictures, const MeasuredSeri
 
 /// Draws the line on which fitted and measured values are equal.
 void append_diagonal(LinesSection& section) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const ReportSeries& one : section.series)
-    for (const std::vector<double>* numbers : {&one.x, &one.values})
-      for (const double value : *numbers) {
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-  if (low > 0 && low < 0.35 * high) low = 0;
-  section.series.push_back({"equal", {low, high}, CurveStyle::dashed, {low, high}});
+  Ends ends;
+  for (const ReportSeries& one : section.series) {
+    ends.take(one.x);
+    ends.take(one.values);
+  }
+  const std::vector<double> line = {ends.low(), ends.high()};
+  section.series.push_back({"equal", line, CurveStyle::dashed, line});
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "io/csv_table.hpp"
+#include "studies/law_facts.hpp"
 
 namespace fiberfate {
 namespace {
@@ -55,17 +56,13 @@ TableSection estimates(const CalibrationCase& values, const SummaryFile& summary
   const bool profiles = values.search.profiles == ProfileChoice::all;
   if (profiles) section.columns.push_back({level + "by profile"});
   if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
-  for (const LawParameter& parameter :
-       chosen_law(calibrated_menu(values), calibrated_law(values))->parameters) {
-    if (std::find(values.search.free.begin(), values.search.free.end(), parameter.name) ==
-        values.search.free.end())
-      continue;
+  for (const LawParameter& parameter : free_parameters(values)) {
     const std::string key = name.prefix + parameter.name;
     const auto interval = [&](const std::string& kind) {
       return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
     };
-    section.rows.push_back({parameter.name, parameter.unit == "1" ? std::string() : parameter.unit,
-                            summary.number(key), summary.number(key + "_standard_error"), interval("")});
+    section.rows.push_back({parameter.name, shown_unit(parameter.unit), summary.number(key),
+                            summary.number(key + "_standard_error"), interval("")});
     if (profiles) section.rows.back().emplace_back(interval("_profile"));
     if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
   }
@@ -82,7 +79,7 @@ std::vector<Fact> parameter_facts(const CalibrationCase& values, const SummaryFi
     const std::string key = name.prefix + one.name,
                       interval =
                           written_interval(summary.number(key + "_lower"), summary.number(key + "_upper"));
-    const std::string unit = one.unit == "1" ? "" : one.unit;
+    const std::string unit = shown_unit(one.unit);
     facts.push_back({one.name + name.heading, summary.number(key), unit,
                      interval.empty() ? "no interval can be told"
                                       : fmt::format("{} {}{}with {:g} %", interval, unit,
@@ -101,13 +98,12 @@ void append_profiles(const CalibrationCase& values, const ResultFolder& folder, 
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto number = static_cast<double>(i);
     const std::string& parameter = parameters[i].name;
-    LinesSection section{
-        "profile_" + parameter + name.prefix,
-        "Profile of " + parameter + name.heading,
-        {parameter, parameters[i].unit == "1" ? "" : parameters[i].unit, scale_of(values, parameter)},
-        {"least sum of squares"},
-        pick(table, name.number, number, "value"),
-        {}};
+    LinesSection section{"profile_" + parameter + name.prefix,
+                         "Profile of " + parameter + name.heading,
+                         {parameter, shown_unit(parameters[i].unit), scale_of(values, parameter)},
+                         {"least sum of squares"},
+                         pick(table, name.number, number, "value"),
+                         {}};
     if (!spans(section.x_values)) continue;
     const std::vector<double> limit = pick(table, name.number, number, "limit");
     section.series = {{"least sum of squares", pick(table, name.number, number, "chi_square")},
@@ -138,7 +134,7 @@ void append_samples(const CalibrationCase& values, const ResultFolder& folder, c
   for (std::size_t i = 0; i < drawn.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) {
       const auto axis = [&](const LawParameter& one) {
-        return ReportAxis{one.name, one.unit == "1" ? "" : one.unit, scale_of(values, one.name)};
+        return ReportAxis{one.name, shown_unit(one.unit), scale_of(values, one.name)};
       };
       LinesSection section{
           fmt::format("samples_{}_{}{}", k, i, name.prefix),

@@ -80,7 +80,7 @@ std::vector<LinesSection> curves_sections(const std::vector<MeasuredSeries>& mea
           "curves_" + std::to_string(pictures.size()) + name.prefix,
           "Measured and fitted" + name.heading,
           {"time", "s"},
-          {quantity, one.unit == "1" ? "" : one.unit},
+          {quantity, shown_unit(one.unit)},
           {},
           {},
           fmt::format("Bars: the uncertainties of the data. Bands: where another measurement "
