@@ -44,7 +44,8 @@ void add_rod(DensityMap& map, const Cell& cell, const Vec3& from, const Vec3& st
 DensityMap density_map(const FiberState& state, int along, int bins) {
   if (bins < 1) throw InputError("a map of the density without bins", "take at least one");
   if (along < 0 || along > 2) throw InputError("a cell has no such direction", "take 0, 1 or 2");
-  DensityMap map{along, along == 0 ? 1 : 0, along == 2 ? 1 : 2, bins, {}};
+  const auto [across, up] = other_directions(along);
+  DensityMap map{along, across, up, bins, {}};
   map.volume_fraction.assign(static_cast<std::size_t>(bins * bins), 0.0);
   const Mat3 inverse = state.cell.lattice.inverse();
   for (const FiberIndex fiber : state.fibers()) {

@@ -7,6 +7,14 @@
 
 namespace fiberfate {
 
+/// The two lattice vectors beside one, in rising order.
+struct OtherDirections {
+  int across, up;
+};
+[[nodiscard]] constexpr OtherDirections other_directions(int along) {
+  return {along == 0 ? 1 : 0, along == 2 ? 1 : 2};
+}
+
 /// The shares of volume that fibers take in columns along a lattice vector, over an even grid of the other
 /// two. Fractions of the cell are counted, so that the grid follows the lattice where the cell is tilted.
 struct DensityMap {

@@ -324,6 +324,15 @@ std::string escape_for_script(const std::string& json) {
 
 }  // namespace
 
+void add_cell(HeatmapSection& section, const CellPlace& place, double value) {
+  if (section.y_values.empty() || place.y != section.y_values.back()) {
+    section.y_values.push_back(place.y);
+    section.values.emplace_back();
+  }
+  if (section.values.size() == 1) section.x_values.push_back(place.x);
+  section.values.back().push_back(value);
+}
+
 std::string write_report_json(const ReportDocument& document) {
   Json json{{"schema", 2}, {"title", document.title}};
   add_text(json, "case", document.case_name);

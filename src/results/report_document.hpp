@@ -169,6 +169,13 @@ struct HeatmapSection {
   enum class Scales { independent, equal } scales = Scales::independent;
 };
 
+/// Where a cell of a field stands on its axes.
+struct CellPlace {
+  double x, y;
+};
+/// Adds a cell to a field that is given row after row.
+void add_cell(HeatmapSection& section, const CellPlace& place, double value);
+
 /// The fibers at one time; all lengths in m.
 struct FiberFrame {
   double time_s = 0;

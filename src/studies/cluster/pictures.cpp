@@ -86,7 +86,8 @@ Cut cut_across(const FiberState& state) {
   const Vec3 shares = orientation_tensor(state, Weighting::length).diagonal();
   int along = 0;
   shares.maxCoeff(&along);
-  return {along, along == 0 ? 1 : 0, along == 2 ? 1 : 2};
+  const auto [across, up] = other_directions(along);
+  return {along, across, up};
 }
 
 }  // namespace
@@ -114,12 +115,12 @@ std::vector<HeatmapSection> density_sections(const ResultFolder& folder) {
   for (std::size_t k = 0; k < table.rows(); ++k) {
     const auto along = static_cast<std::size_t>(table.column("along")[k]);
     if (along > 2) throw StorageError("density.csv names a direction that a cell does not have");
-    const double across = table.column("across_m")[k], up = table.column("up_m")[k];
+    const auto [across, up] = other_directions(static_cast<int>(along));
     if (sections.empty() || table.column("along")[k] != table.column("along")[k - 1]) {
       sections.push_back({fmt::format("density_{}", axis_names[along]),
                           fmt::format("Density seen along {}", axis_names[along]),
-                          {axis_names[along == 0 ? 1 : 0], "m"},
-                          {axis_names[along == 2 ? 1 : 2], "m"},
+                          {axis_names[static_cast<std::size_t>(across)], "m"},
+                          {axis_names[static_cast<std::size_t>(up)], "m"},
                           {},
                           {},
                           {}});
@@ -129,13 +130,8 @@ std::vector<HeatmapSection> density_sections(const ResultFolder& folder) {
       sections.back().scales = HeatmapSection::Scales::equal;
       sections.back().caption = "Mean over columns through the whole cell; all maps have one scale.";
     }
-    HeatmapSection& section = sections.back();
-    if (section.y_values.empty() || up != section.y_values.back()) {
-      section.y_values.push_back(up);
-      section.values.emplace_back();
-    }
-    if (section.values.size() == 1) section.x_values.push_back(across);
-    section.values.back().push_back(100 * table.column("volume_fraction")[k]);
+    add_cell(sections.back(), {table.column("across_m")[k], table.column("up_m")[k]},
+             100 * table.column("volume_fraction")[k]);
   }
   return sections;
 }

@@ -87,15 +87,7 @@ HeatmapSection pole_figure(const ResultFolder& folder) {
                          {},           "density over the mean"};
   const std::vector<double>&azimuths = table.column("phi_deg"), &heights = table.column("cos_theta"),
         &densities = table.column("density");
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double azimuth = azimuths[k], height = heights[k];
-    if (section.y_values.empty() || height != section.y_values.back()) {
-      section.y_values.push_back(height);
-      section.values.emplace_back();
-    }
-    if (section.values.size() == 1) section.x_values.push_back(azimuth);
-    section.values.back().push_back(densities[k]);
-  }
+  for (std::size_t k = 0; k < table.rows(); ++k) add_cell(section, {azimuths[k], heights[k]}, densities[k]);
   section.caption =
       "theta from axis 3, phi from axis 1 towards axis 2; bins of equal solid angle, 1 is isotropic.";
   return section;
