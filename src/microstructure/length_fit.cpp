@@ -11,10 +11,6 @@ namespace {
 /// A fit wider or narrower than this tells of lengths that are alike, or of none.
 constexpr double least_exponent = 1e-2, largest_exponent = 1e3;
 
-double number_of(const MeasuredLengths& fibers, std::size_t i) {
-  return fibers.numbers.empty() ? 1 : fibers.numbers[i];
-}
-
 /// Mean of ln(L/unit) over the fibers.
 double mean_logarithm(const MeasuredLengths& fibers, double unit) {
   double sum = 0, count = 0;

@@ -14,10 +14,6 @@
 namespace fiberfate {
 namespace {
 
-double number_of(const MeasuredLengths& fibers, std::size_t i) {
-  return fibers.numbers.empty() ? 1 : fibers.numbers[i];
-}
-
 void require_usable(const MeasuredLengths& fibers) {
   if (fibers.lengths.empty()) throw InputError("the list of lengths is empty", "give at least one fiber");
   if (!fibers.numbers.empty() && fibers.numbers.size() != fibers.lengths.size())

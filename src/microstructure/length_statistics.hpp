@@ -14,6 +14,9 @@ struct MeasuredLengths {
   std::vector<double> lengths;  ///< m, positive
   std::vector<double> numbers = {};
 };
+[[nodiscard]] inline double number_of(const MeasuredLengths& fibers, std::size_t i) {
+  return fibers.numbers.empty() ? 1 : fibers.numbers[i];
+}
 
 /// Weighs fibers that were found in a circular sample of diameter d taken out of a flat one, so that they
 /// stand for the population: the longer a fiber, the more likely it reaches into the sample. A segment of
