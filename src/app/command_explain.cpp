@@ -5,31 +5,21 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
 #include <vector>
 
 #include "app/study_registry.hpp"
 #include "base/error.hpp"
 #include "keys/key_facts.hpp"
+#include "keys/wrapped_text.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t text_width = 96;
+constexpr std::size_t choice_indent = 19;  // of what a choice means
 
-/// Wraps a text into lines that begin with `indent` spaces.
-std::string wrapped(const std::string& text, std::size_t indent) {
-  std::istringstream words(text);
-  const std::string margin(indent, ' ');
-  std::string lines, line = margin;
-  for (std::string word; words >> word;) {
-    if (line.size() > indent && line.size() + 1 + word.size() > text_width) {
-      lines += line + '\n';
-      line = margin;
-    }
-    line += (line.size() > indent ? " " : "") + word;
-  }
-  return lines + line + '\n';
+std::string indented(const std::string& text, std::size_t indent) {
+  return wrapped(text, std::string(indent, ' '), text_width);
 }
 
 /// Describes a study's keys together with the defaults that they are bound to.
@@ -43,34 +33,40 @@ struct StudyKeys {
   KeyTable table{KeyTable::Repeats::one_to_show};
 };
 
-void explain_key(const Key& key, const std::string& study) {
+std::string explained(const Key& key) {
   const KeyFacts facts = key_facts(key);
-  fmt::print("{} ({})\n{}", without_numbers(key.name), study, wrapped(key.notes.text, 2));
-  for (const auto& [name, meaning] : key.choices) fmt::print("    {:<14} {}\n", '"' + name + '"', meaning);
+  std::string text = indented(key.notes.text, 2);
+  for (const NamedText& choice : key.choices) {
+    const std::string source = choice.source.empty() ? "" : fmt::format(" ({})", choice.source);
+    const std::string meaning = indented(choice.meaning + source, choice_indent);
+    text += fmt::format("    {:<{}} {}", '"' + choice.name + '"', choice_indent - 5,
+                        meaning.substr(choice_indent));
+  }
   const std::pair<const char*, std::string> lines[] = {{"kind", facts.kind},        {"unit", facts.unit},
                                                        {"default", facts.standard}, {"range", facts.range},
                                                        {"example", facts.example},  {"source", facts.source}};
   for (const auto& [name, value] : lines)
-    if (!value.empty()) fmt::print("  {:<8} {}\n", name, value);
+    if (!value.empty()) text += fmt::format("  {:<8} {}\n", name, value);
+  return text;
 }
 
-void explain_section(const StudyKeys& keys, const Section& section) {
-  fmt::print("{} ({})\n{}", table_heading(section.name), keys.study.name, wrapped(section.text, 2));
+std::string explained(const StudyKeys& keys, const Section& section) {
+  std::string text = indented(section.text, 2);
   std::size_t width = 0;
   for (const Key& key : keys.table.keys()) width = std::max(width, key.leaf().size());
   for (const Key& key : keys.table.keys()) {
     if (key.section() != section.name) continue;
-    const std::string text = wrapped(key.notes.text, width + 4);
-    fmt::print("  {:<{}}{}", key.leaf(), width, text.substr(width + 2));
+    text +=
+        fmt::format("  {:<{}}{}", key.leaf(), width, indented(key.notes.text, width + 4).substr(width + 2));
   }
+  return text;
 }
 
 void explain_study(const Study& study) {
   const StudyKeys keys(study);
   fmt::print("study = \"{}\": {}\n", study.name, study.summary);
   for (const Section& section : keys.table.sections()) {
-    fmt::print("\n");
-    explain_section(keys, section);
+    fmt::print("\n{} ({})\n{}", table_heading(section.name), study.name, explained(keys, section));
   }
 }
 
@@ -98,22 +94,36 @@ void explain_overview() {
       nearest.empty() ? "'fiberfate explain' lists the studies" : fmt::format("did you mean '{}'?", nearest));
 }
 
-/// Explains a topic in one study; tells whether it is known there.
-bool explain_in(const Study& study, const std::string& topic) {
-  const StudyKeys keys(study);
-  bool known = false;
-  for (const Section& section : keys.table.sections()) {
-    if (without_numbers(section.name) != topic) continue;
-    explain_section(keys, section);
-    known = true;
+/// What a topic means, in the studies that agree on it.
+struct Explanation {
+  std::string name;
+  std::string text;
+  std::vector<std::string> studies;
+};
+
+void add(std::vector<Explanation>& all, const std::string& name, const std::string& text,
+         const std::string& study) {
+  const auto same =
+      std::ranges::find_if(all, [&](const Explanation& one) { return one.name == name && one.text == text; });
+  if (same == all.end())
+    all.push_back({name, text, {study}});
+  else if (same->studies.back() != study)
+    same->studies.push_back(study);
+}
+
+/// Explains a table, a key, or the last part of a key's name in all studies.
+std::vector<Explanation> explanations_of(const std::string& topic) {
+  std::vector<Explanation> all;
+  for (const Study& study : studies()) {
+    const StudyKeys keys(study);
+    for (const Section& section : keys.table.sections())
+      if (without_numbers(section.name) == topic)
+        add(all, table_heading(section.name), explained(keys, section), study.name);
+    for (const Key& key : keys.table.keys())
+      if (without_numbers(key.name) == topic || key.leaf() == topic)
+        add(all, without_numbers(key.name), explained(key), study.name);
   }
-  for (const Key& key : keys.table.keys()) {
-    if (without_numbers(key.name) != topic && key.leaf() != topic) continue;
-    if (known) fmt::print("\n");
-    explain_key(key, study.name);
-    known = true;
-  }
-  return known;
+  return all;
 }
 
 }  // namespace
@@ -131,10 +141,12 @@ int run_explain(const ExplainOptions& options) {
     explain_study(*study);
     return 0;
   }
-  // Studies share most of their tables; the first that knows the topic explains it for all.
-  for (const Study& study : studies())
-    if (explain_in(study, options.topic)) return 0;
-  refuse_topic(options.topic);
+  const std::vector<Explanation> all = explanations_of(options.topic);
+  if (all.empty()) refuse_topic(options.topic);
+  for (const Explanation& one : all)
+    fmt::print("{}{} ({})\n{}", &one == &all.front() ? "" : "\n", one.name, fmt::join(one.studies, ", "),
+               one.text);
+  return 0;
 }
 
 }  // namespace fiberfate

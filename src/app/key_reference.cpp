@@ -25,7 +25,10 @@ std::string code(const std::string& text) {
 std::string key_row(const Key& key) {
   const KeyFacts facts = key_facts(key);
   std::string text = key.notes.text;
-  for (const auto& [name, meaning] : key.choices) text += fmt::format("<br>`\"{}\"`: {}", name, meaning);
+  for (const NamedText& choice : key.choices) {
+    text += fmt::format("<br>`\"{}\"`: {}", choice.name, choice.meaning);
+    if (!choice.source.empty()) text += fmt::format(" ({})", choice.source);
+  }
   if (!facts.source.empty()) text += fmt::format("<br>Source: {}", facts.source);
   const bool none = facts.standard.starts_with("none");
   return fmt::format("| `{}` | {} | {} | {} | {} |\n", key.leaf(), facts.unit,

@@ -3,6 +3,10 @@
 
 namespace fiberfate {
 
+/// What sources call the thesis, "thesis equation 5.7".
+inline constexpr const char* thesis_title =
+    "Evolution of Fiber Microstructure During Polymer Processing, PhD thesis, University of Wisconsin-Madison";
+
 /// Describes a law in words. Plain text, because kernels include the files of laws.
 struct LawText {
   const char* name;               ///< as in case files

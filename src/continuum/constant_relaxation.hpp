@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/length_relaxation.hpp"
 
@@ -15,9 +16,8 @@ struct ConstantRelaxation {
   double rate_constant;       ///< k_f, 1/s
   double equilibrium_length;  ///< L_inf, m
 
-  static constexpr const char* name = "constant";
-  static constexpr const char* meaning =
-      "A given final length and rate constant: DL/Dt = -k_f (L - L_inf) (thesis 5.7)";
+  static constexpr LawText text = {
+      "constant", "A given final length and rate constant: DL/Dt = -k_f (L - L_inf)", "thesis equation 5.7"};
   static std::vector<LawParameter> parameters() {
     return {{"k_f", "1/s", "Rate constant of the decay", required_value},
             {"L_inf", "m", "Final length", required_value}};

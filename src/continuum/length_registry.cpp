@@ -19,7 +19,11 @@ using Values = std::span<const double>;
 /// A law that relaxes lengths.
 template <class Formula>
 AttritionLawEntry relaxation() {
-  return {Formula::name, Formula::meaning, Formula::parameters(), AttritionForm::relaxation,
+  return {Formula::text.name,
+          Formula::text.meaning,
+          Formula::text.source,
+          Formula::parameters(),
+          AttritionForm::relaxation,
           [](Values values) {
             return make_relaxation_law(std::make_unique<RelaxationLawOf<Formula>>(Formula::of(values)));
           }};
@@ -38,7 +42,11 @@ std::vector<LawParameter> fragmentation_parameters() {
 /// A law that breaks the fibers of bins.
 template <class Breakage>
 AttritionLawEntry fragmentation() {
-  return {Breakage::name, Breakage::meaning, fragmentation_parameters(), AttritionForm::fragmentation,
+  return {Breakage::text.name,
+          Breakage::text.meaning,
+          Breakage::text.source,
+          fragmentation_parameters(),
+          AttritionForm::fragmentation,
           [](Values v) {
             return make_fragmentation_law({v[0], v[1], v[2], v[3], v[4], v[5], Breakage::share});
           }};

@@ -19,6 +19,7 @@ enum class AttritionForm { relaxation, fragmentation };
 struct AttritionLawEntry {
   std::string name;     ///< as in case files, "stress_induced"
   std::string summary;  ///< one sentence with the equations
+  std::string source;   ///< author, journal, year; empty where there is none
   std::vector<LawParameter> parameters;
   AttritionForm form;
   /// Makes the law from the values of its parameters, SI, in the order of `parameters`.

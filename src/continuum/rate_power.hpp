@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/length_parameters.hpp"
 #include "continuum/length_relaxation.hpp"
 
@@ -21,9 +22,9 @@ struct RatePower {
   double strength;         ///< sigma_u, Pa
   double diameter;         ///< d_f, m
 
-  static constexpr const char* name = "rate_power";
-  static constexpr const char* meaning =
-      "L_inf = lambda d_f (eta rate/sigma_u)^-alpha, k_f = xi rate^beta (thesis 5.8, 5.14)";
+  static constexpr LawText text = {"rate_power",
+                                   "L_inf = lambda d_f (eta rate/sigma_u)^-alpha, k_f = xi rate^beta",
+                                   "thesis equations 5.8, 5.14"};
   static std::vector<LawParameter> parameters() {
     return {interaction_coefficient_parameter(),
             {"alpha", "1", "Exponent of the final length", 0.5},

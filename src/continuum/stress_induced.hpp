@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/length_parameters.hpp"
 #include "continuum/length_relaxation.hpp"
 
@@ -23,9 +24,9 @@ struct StressInduced {
   double strength;  ///< sigma_u, Pa
   double diameter;  ///< d_f, m
 
-  static constexpr const char* name = "stress_induced";
-  static constexpr const char* meaning =
-      "L_inf = lambda d_f (eta rate/sigma_u)^-alpha, k_f = k_0 (eta rate/sigma_u)^beta (thesis 5.8, 5.9)";
+  static constexpr LawText text = {
+      "stress_induced", "L_inf = lambda d_f (eta rate/sigma_u)^-alpha, k_f = k_0 (eta rate/sigma_u)^beta",
+      "thesis equations 5.8, 5.9"};
   static std::vector<LawParameter> parameters() {
     return {interaction_coefficient_parameter(),
             {"alpha", "1", "Exponent of the final length", required_value},

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/length_parameters.hpp"
 #include "continuum/length_relaxation.hpp"
 
@@ -22,9 +23,9 @@ struct UnbreakableLength {
   double strength;         ///< sigma_u, Pa
   double diameter;         ///< d_f, m
 
-  static constexpr const char* name = "unbreakable_length";
-  static constexpr const char* meaning =
-      "L_inf = lambda d_f sqrt(sigma_u/(eta rate)), k_f = xi rate (Bechara; thesis 4.3, 4.4)";
+  static constexpr LawText text = {"unbreakable_length",
+                                   "L_inf = lambda d_f sqrt(sigma_u/(eta rate)), k_f = xi rate",
+                                   "thesis equations 4.3, 4.4"};
   static std::vector<LawParameter> parameters() {
     return {interaction_coefficient_parameter(),
             {"xi", "1", "Breakage per unit of strain", required_value},

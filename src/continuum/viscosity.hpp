@@ -33,6 +33,7 @@ class ViscosityLaw {
 struct ViscosityLawEntry {
   std::string name;
   std::string summary;
+  std::string source;  ///< author, journal, year; empty where there is none
   std::vector<LawParameter> parameters;
   std::unique_ptr<ViscosityLaw> (*make)(std::span<const double> values);
 };

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/melt_state.hpp"
 #include "continuum/viscosity_parameters.hpp"
@@ -20,8 +21,9 @@ struct Carreau {
   double infinite_rate_viscosity = 0;  ///< eta_inf, Pa s
   double transition = 2;               ///< a, 1
 
-  static constexpr const char* name = "carreau";
-  static constexpr const char* meaning = "eta = eta_inf + (eta_0 - eta_inf) [1 + (time rate)^a]^((n-1)/a)";
+  static constexpr LawText text = {
+      "carreau", "eta = eta_inf + (eta_0 - eta_inf) [1 + (time rate)^a]^((n-1)/a)",
+      "Carreau, Trans. Soc. Rheol. 16, 99 (1972); Yasuda, PhD thesis, MIT (1979)"};
   static std::vector<LawParameter> parameters() {
     return {viscosity_at_rest(),
             {"time", "s", "Time constant", required_value},

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/melt_state.hpp"
 #include "continuum/viscosity_parameters.hpp"
@@ -17,8 +18,8 @@ struct Cross {
   double critical_stress;      ///< tau, Pa: where shear thinning is half way
   double index;                ///< n, 1
 
-  static constexpr const char* name = "cross";
-  static constexpr const char* meaning = "eta = eta_0/(1 + (eta_0 rate/tau)^(1-n))";
+  static constexpr LawText text = {"cross", "eta = eta_0/(1 + (eta_0 rate/tau)^(1-n))",
+                                   "Cross, J. Colloid Sci. 20, 417 (1965)"};
   static std::vector<LawParameter> parameters() {
     return {viscosity_at_rest(), stress_half_way(), power_law_index(1)};
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/melt_state.hpp"
 #include "continuum/viscosity_cross.hpp"
@@ -25,9 +26,9 @@ struct CrossWlf {
   double a_1 = 0;          ///< 1
   double a_2 = 51.6;       ///< A_2*, K
 
-  static constexpr const char* name = "cross_wlf";
-  static constexpr const char* meaning =
-      "Cross, with eta_0 = D1 exp(-A1 (T - Ts)/(A2 + T - Ts)), Ts = D2 + D3 p, A2 = A2s + D3 p";
+  static constexpr LawText text = {
+      "cross_wlf", "Cross, with eta_0 = D1 exp(-A1 (T - Ts)/(A2 + T - Ts)), Ts = D2 + D3 p, A2 = A2s + D3 p",
+      "Cross, J. Colloid Sci. 20, 417 (1965); Williams, Landel, Ferry, J. Am. Chem. Soc. 77, 3701 (1955)"};
   /// At 0 K, which stands for a temperature that nobody gave, the melt would be taken for solid.
   static constexpr bool needs_temperature = true;
   static std::vector<LawParameter> parameters() {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/melt_state.hpp"
 #include "continuum/viscosity_parameters.hpp"
@@ -14,8 +15,7 @@ namespace fiberfate {
 struct Newtonian {
   double viscosity;  ///< eta_0, Pa s
 
-  static constexpr const char* name = "newtonian";
-  static constexpr const char* meaning = "eta = eta_0";
+  static constexpr LawText text = {"newtonian", "eta = eta_0", ""};
   static std::vector<LawParameter> parameters() { return {viscosity_at_rest()}; }
   static Newtonian of(std::span<const double> v) { return {v[0]}; }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/law_text.hpp"
 #include "continuum/law_parameter.hpp"
 #include "continuum/melt_state.hpp"
 #include "continuum/viscosity_parameters.hpp"
@@ -19,8 +20,7 @@ struct PowerLaw {
   double index;               ///< n, 1
   double lowest_rate = 1e-3;  ///< 1/s
 
-  static constexpr const char* name = "power_law";
-  static constexpr const char* meaning = "eta = K rate^(n-1), constant below the lowest rate";
+  static constexpr LawText text = {"power_law", "eta = K rate^(n-1), constant below the lowest rate", ""};
   static std::vector<LawParameter> parameters() {
     return {{"K", "1", "Consistency, in Pa s^n", required_value, least_viscosity},
             power_law_index(2),

@@ -54,7 +54,7 @@ class ViscosityLawOf final : public ViscosityLaw {
 
 template <class Formula>
 ViscosityLawEntry row() {
-  return {Formula::name, Formula::meaning, Formula::parameters(),
+  return {Formula::text.name, Formula::text.meaning, Formula::text.source, Formula::parameters(),
           [](Values values) -> std::unique_ptr<ViscosityLaw> {
             return std::make_unique<ViscosityLawOf<Formula>>(Formula::of(values));
           }};

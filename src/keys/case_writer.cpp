@@ -6,30 +6,22 @@
 #include "base/version.hpp"
 #include "keys/case_file.hpp"
 #include "keys/key_facts.hpp"
+#include "keys/wrapped_text.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr std::size_t line_width = 100;
 
-/// Breaks a text into comment lines.
 std::string comment(const std::string& text) {
-  std::istringstream words(text);
-  std::string lines, line = "#";
-  for (std::string word; words >> word;) {
-    if (line.size() + 1 + word.size() > line_width) {
-      lines += line + '\n';
-      line = "#";
-    }
-    line += ' ' + word;
-  }
-  return lines + line + '\n';
+  return wrapped(text, "# ", line_width);
 }
 
 std::string explanation(const Key& key) {
   const KeyFacts facts = key_facts(key);
   std::string text = comment(key.notes.text);
-  for (const auto& [name, meaning] : key.choices) text += fmt::format("#   \"{}\": {}\n", name, meaning);
+  for (const NamedText& choice : key.choices)
+    text += fmt::format("#   \"{}\": {}\n", choice.name, choice.meaning);
   std::string bounds;
   if (!facts.range.empty()) bounds = fmt::format("Range: {}. ", facts.range);
   if (!facts.source.empty()) bounds += fmt::format("Source: {}.", facts.source);

@@ -47,22 +47,21 @@ std::string written_list(const double* begin, const double* end, const KeyNotes&
   return write_list(items);
 }
 
-std::string names_of(const std::vector<std::pair<std::string, std::string>>& choices) {
+std::string names_of(const NamedTexts& choices) {
   std::string text;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) text += i + 1 == choices.size() ? " or " : ", ";
-    text += '"' + choices[i].first + '"';
+    text += '"' + choices[i].name + '"';
   }
   return text;
 }
 
-Complaint wrong_choice(const TomlValue& value,
-                       const std::vector<std::pair<std::string, std::string>>& choices) {
+Complaint wrong_choice(const TomlValue& value, const NamedTexts& choices) {
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr)
     return {fmt::format("{} is not one of the choices", value.kind()), "give " + names_of(choices)};
   std::vector<std::string> names;
-  for (const auto& choice : choices) names.push_back(choice.first);
+  for (const NamedText& choice : choices) names.push_back(choice.name);
   const std::string nearest = nearest_word(*text, names);
   if (nearest.empty()) return {"not one of the choices", "give " + names_of(choices)};
   return {"not one of the choices",
@@ -277,20 +276,19 @@ void KeyTable::add_count(const std::string& key, KeyNotes notes,
   add({key, std::move(notes), "whole number", {}, read, write});
 }
 
-void KeyTable::add_choice(const std::string& key, KeyNotes notes,
-                          std::vector<std::pair<std::string, std::string>> names,
+void KeyTable::add_choice(const std::string& key, KeyNotes notes, NamedTexts names,
                           std::function<std::size_t()> index, std::function<void(std::size_t)> set) {
   const auto read = [names, set = std::move(set)](const TomlValue& value) {
     const auto* text = std::get_if<std::string>(&value.data);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      if (text == nullptr || *text != names[i].first) continue;
+      if (text == nullptr || *text != names[i].name) continue;
       set(i);
       return Complaints{};
     }
     return Complaints{wrong_choice(value, names)};
   };
   const auto write = [names, index = std::move(index)](NumberStyle) {
-    return write_text(names[index()].first);
+    return write_text(names[index()].name);
   };
   add({key, std::move(notes), "choice", names, read, write});
 }

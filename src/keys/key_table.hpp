@@ -31,20 +31,29 @@ struct KeyNotes {
   std::string source = {};   ///< where the default or the definition comes from
 };
 
+/// A name that a key may hold.
+struct NamedText {
+  std::string name;
+  std::string meaning;
+  std::string source = {};  ///< of a law: author, journal, year
+};
+using NamedTexts = std::vector<NamedText>;
+
 /// One value of an enum in case files.
 template <class Enum>
 struct Choice {
   Enum value;
   const char* name;
   const char* text;
+  const char* source = "";
 };
 
 /// Binds one key to a member of a case struct.
 struct Key {
   std::string name;  ///< full, "fibers.length"
   KeyNotes notes;
-  std::string kind;  ///< "quantity", "whole number", "choice", …, for explanations
-  std::vector<std::pair<std::string, std::string>> choices;  ///< name and meaning, for a choice
+  std::string kind;    ///< "quantity", "whole number", "choice", …, for explanations
+  NamedTexts choices;  ///< of a key that holds one of several names
   /// Reads a value into the member; tells all that is wrong with it.
   std::function<std::vector<Complaint>(const TomlValue&)> read;
   /// Writes the member as TOML; empty when it is not given.
@@ -121,10 +130,10 @@ class KeyTable {
   /// One of several names.
   template <class Enum>
   void choice(const std::string& key, Enum& member, const std::vector<Choice<Enum>>& all, KeyNotes notes) {
-    std::vector<std::pair<std::string, std::string>> names;
-    for (const Choice<Enum>& one : all) names.emplace_back(one.name, one.text);
+    NamedTexts names;
+    for (const Choice<Enum>& one : all) names.push_back({one.name, one.text, one.source});
     add_choice(
-        key, std::move(notes), names,
+        key, std::move(notes), std::move(names),
         [&member, all] {
           std::size_t i = 0;
           while (i + 1 < all.size() && all[i].value != member) ++i;
@@ -161,9 +170,8 @@ class KeyTable {
   [[nodiscard]] std::size_t count_repeated(const std::string& name, std::size_t present) const;
   void add_count(const std::string& key, KeyNotes notes, std::function<std::optional<std::int64_t>()> value,
                  std::function<void(std::int64_t)> set);
-  void add_choice(const std::string& key, KeyNotes notes,
-                  std::vector<std::pair<std::string, std::string>> names, std::function<std::size_t()> index,
-                  std::function<void(std::size_t)> set);
+  void add_choice(const std::string& key, KeyNotes notes, NamedTexts names,
+                  std::function<std::size_t()> index, std::function<void(std::size_t)> set);
   std::string folder_ = ".";
   const TomlDocument* document_ = nullptr;
   Repeats repeats_ = Repeats::of_case;

@@ -17,39 +17,31 @@ namespace {
 template <class Entry>
 LawMenu menu_of(const std::vector<Entry>& entries) {
   LawMenu menu;
-  for (const Entry& entry : entries) menu.push_back({entry.name, entry.summary, entry.parameters});
+  for (const Entry& entry : entries)
+    menu.push_back({entry.name, entry.summary, entry.source, entry.parameters});
   return menu;
 }
 
 template <class Choice>
-void append_constants(const OrientationChoice<Choice>& law, std::vector<std::string>& names,
-                      std::string& summary) {
+void append_law(const OrientationChoice<Choice>& law, std::vector<std::string>& names, LawMenuItem& item) {
   names.insert(names.end(), law.constants.begin(), law.constants.end());
-  summary += (summary.empty() ? "" : " ") + law.meaning;
+  item.summary += (item.summary.empty() ? "" : " ") + law.meaning;
+  item.source += (item.source.empty() ? "" : "; ") + law.source;
 }
 
 LawMenu make_orientation_menu() {
   LawMenu menu;
   for (const NamedOrientationModel& model : named_orientation_models()) {
     std::vector<std::string> names = {"xi", "U0"};
-    LawMenuItem item = {model.name, "", {}};
-    append_constants(description_of(model.diffusion), names, item.summary);
-    if (model.retardation != Retardation{})
-      append_constants(description_of(model.retardation), names, item.summary);
+    LawMenuItem item = {model.name, "", "", {}};
+    append_law(description_of(model.diffusion), names, item);
+    if (model.retardation != Retardation{}) append_law(description_of(model.retardation), names, item);
     for (const OrientationConstant& constant : orientation_constants())
       if (std::find(names.begin(), names.end(), constant.parameter.name) != names.end())
         item.parameters.push_back(constant.parameter);
     menu.push_back(std::move(item));
   }
   return menu;
-}
-
-/// Unit in which people write such a parameter.
-std::string friendly_unit(const LawParameter& parameter) {
-  if (parameter.name == "d_f") return "um";
-  if (parameter.name == "sigma_u" || parameter.name == "E_f") return "GPa";
-  if (parameter.unit == "m") return "mm";
-  return parameter.unit == "1" ? "" : parameter.unit;
 }
 
 std::string laws_with(const LawMenu& menu, const std::string& parameter) {
@@ -87,6 +79,13 @@ void check_value(const std::string& key, const LawParameter& parameter, double v
 
 }  // namespace
 
+std::string friendly_unit(const LawParameter& parameter) {
+  if (parameter.name == "d_f") return "um";
+  if (parameter.name == "sigma_u" || parameter.name == "E_f") return "GPa";
+  if (parameter.unit == "m") return "mm";
+  return parameter.unit == "1" ? "" : parameter.unit;
+}
+
 const LawMenu& attrition_menu() {
   static const LawMenu menu = menu_of(attrition_laws());
   return menu;
@@ -106,7 +105,7 @@ const std::vector<Choice<Homogenisation>>& stiffness_choices() {
   static const std::vector<Choice<Homogenisation>> choices = [] {
     std::vector<Choice<Homogenisation>> all;
     for (const HomogenisationDescription& one : homogenisations())
-      all.push_back({one.model, one.name, one.meaning});
+      all.push_back({one.model, one.name, one.meaning, one.source});
     return all;
   }();
   return choices;
@@ -114,8 +113,8 @@ const std::vector<Choice<Homogenisation>>& stiffness_choices() {
 
 void describe_law(KeyTable& table, const LawMenu& menu, const LawTable& where, LawChoice& choice) {
   table.section(where.section, where.text);
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const LawMenuItem& item : menu) names.emplace_back(item.name, item.summary);
+  NamedTexts names;
+  for (const LawMenuItem& item : menu) names.push_back({item.name, item.summary, item.source});
   describe_name(table, where.section + ".name", choice.name, std::move(names),
                 {.text = "The law.", .need = where.need, .example = where.example});
   std::vector<std::string> described;

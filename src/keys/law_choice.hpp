@@ -18,6 +18,7 @@ namespace fiberfate {
 struct LawMenuItem {
   std::string name;
   std::string summary;
+  std::string source;
   std::vector<LawParameter> parameters;
 };
 using LawMenu = std::vector<LawMenuItem>;
@@ -35,6 +36,9 @@ struct LawChoice {
   std::string name;
   std::map<std::string, std::optional<double>> parameters;
 };
+
+/// The unit in which people write a parameter; empty for a pure number.
+[[nodiscard]] std::string friendly_unit(const LawParameter& parameter);
 
 /// Under which table a law is chosen and what it is for.
 struct LawTable {

@@ -14,17 +14,13 @@
 
 namespace fiberfate {
 
-/// Adds a key that holds the name of a law; choices, their meanings and the source are those of the registry.
+/// Adds a key that holds the name of a law; choices, their meanings and sources are those of the registry.
 template <class Row>
 void describe_law_name(KeyTable& table, const std::string& key, std::string& member,
                        const std::vector<Row>& laws, KeyNotes notes) {
   std::vector<Choice<std::string>> choices;
-  std::vector<std::string> sources;
-  for (const Row& law : laws) {
-    choices.push_back({law.text.name, law.text.name, law.text.meaning});
-    if (*law.text.source != 0) sources.push_back(fmt::format("{}: {}", law.text.name, law.text.source));
-  }
-  notes.source = fmt::format("{}", fmt::join(sources, "; "));
+  for (const Row& law : laws)
+    choices.push_back({law.text.name, law.text.name, law.text.meaning, law.text.source});
   table.choice(key, member, choices, std::move(notes));
 }
 

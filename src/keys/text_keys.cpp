@@ -39,7 +39,7 @@ void describe_name(KeyTable& table, const std::string& key, std::string& member,
   const auto read = [&member, choices](const TomlValue& value) -> std::vector<Complaint> {
     const auto* text = std::get_if<std::string>(&value.data);
     std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
+    for (const NamedText& choice : choices) names.push_back(choice.name);
     if (text != nullptr && std::find(names.begin(), names.end(), *text) != names.end()) {
       member = *text;
       return {};
@@ -56,7 +56,7 @@ void describe_name(KeyTable& table, const std::string& key, std::string& member,
 
 NamedTexts closure_names() {
   NamedTexts names;
-  for (const ClosureDescription& one : closures()) names.emplace_back(one.name, one.meaning);
+  for (const ClosureDescription& one : closures()) names.push_back({one.name, one.meaning, one.source});
   return names;
 }
 

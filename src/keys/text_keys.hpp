@@ -10,8 +10,6 @@
 namespace fiberfate {
 
 using Texts = std::vector<std::string>;
-/// Names that a key may hold, each with its meaning.
-using NamedTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// Adds a key that holds one of several names. An empty name is "not given".
 void describe_name(KeyTable& table, const std::string& key, std::string& member, NamedTexts choices,

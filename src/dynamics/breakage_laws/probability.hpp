@@ -12,11 +12,12 @@ namespace fiberfate {
 /// Breaks with the probability P(R) (scattered_radius.hpp) at every check: a draw keyed by seed, hinge and
 /// check. Source: thesis section 3.3.3.
 struct BreakingProbability {
-  static constexpr LawText text = {
-      "probability",
-      "at every check with a probability that rises from maximum_radius to minimum_radius",
-      "thesis section 3.3.3",
-      {"minimum_radius", "maximum_radius", "exponent", "check_interval"}};
+  static constexpr LawText text = {"probability",
+                                   "at every check with a probability that rises from maximum_radius to "
+                                   "minimum_radius; the result depends "
+                                   "on check_interval, as that of strength does not",
+                                   "thesis section 3.3.3",
+                                   {"minimum_radius", "maximum_radius", "exponent", "check_interval"}};
   const BreakageParameters& breakage;
 
   [[nodiscard]] static BreakingProbability make(const BreakageParameters& breakage) { return {breakage}; }

@@ -117,8 +117,8 @@ NamedTexts length_parameters() {
   NamedTexts names;
   for (const LawMenuItem& law : attrition_menu())
     for (const LawParameter& parameter : law.parameters)
-      if (std::ranges::none_of(names, [&](const auto& one) { return one.first == parameter.name; }))
-        names.emplace_back(parameter.name, parameter.meaning);
+      if (std::ranges::none_of(names, [&](const auto& one) { return one.name == parameter.name; }))
+        names.push_back({parameter.name, parameter.meaning});
   return names;
 }
 

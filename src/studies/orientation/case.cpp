@@ -27,7 +27,7 @@ template <class Row>
 LawMenu menu_of(const std::vector<Row>& choices) {
   LawMenu menu;
   for (const Row& choice : choices) {
-    LawMenuItem item{choice.name, choice.meaning, {}};
+    LawMenuItem item{choice.name, choice.meaning, choice.source, {}};
     for (const std::string& name : choice.constants)
       for (const OrientationConstant& constant : orientation_constants())
         if (constant.parameter.name == name) item.parameters.push_back(constant.parameter);
