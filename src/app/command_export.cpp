@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "io/csv_table.hpp"
+#include "io/prism_file.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "io/vtp_file.hpp"
 #include "keys/case_file.hpp"
@@ -49,7 +50,7 @@ CsvTable node_table(const PolyFrame& frame) {
   return table;
 }
 
-void export_vtp(const VtkhdfReader& reader, const std::string& out) {
+void export_series(const VtkhdfReader& reader, const std::string& out) {
   std::vector<SeriesMember> members;
   std::string stem = "fibers";
   for (std::size_t i = 0; i < reader.times().size(); ++i) {
@@ -59,6 +60,15 @@ void export_vtp(const VtkhdfReader& reader, const std::string& out) {
     write_vtp(out + '/' + members.back().file, frame);
   }
   write_pvd(fmt::format("{}/{}.pvd", out, stem), members);
+}
+
+/// Writes every .vtkhdf of a result: frames as a series of .vtp, properties as one, layers as .vtu.
+void export_vtk(const ResultFolder& folder, const std::string& out) {
+  const std::string properties = folder.file("properties.vtkhdf"), layers = folder.file("layers.vtkhdf");
+  export_series(VtkhdfReader(folder.frames()), out);
+  if (std::filesystem::exists(properties))
+    write_vtp(out + "/properties.vtp", VtkhdfReader(properties).read(0));
+  if (std::filesystem::exists(layers)) write_vtu(out + "/layers.vtu", read_prisms(layers));
 }
 
 /// Writes fibers_NNNNN.csv for every frame and frames.csv with their times and lattices.
@@ -103,9 +113,8 @@ int run_export(const ExportOptions& options) {
     fmt::print("{}\n", export_structure(*molding, folder, out, solver));
     return 0;
   }
-  const VtkhdfReader reader(folder.frames());
-  options.format == "vtp" ? export_vtp(reader, out) : export_csv(reader, out);
-  fmt::print("{} frames in {}\n", reader.times().size(), out);
+  options.format == "vtp" ? export_vtk(folder, out) : export_csv(VtkhdfReader(folder.frames()), out);
+  fmt::print("{} frames in {}\n", VtkhdfReader(folder.frames()).times().size(), out);
   return 0;
 }
 

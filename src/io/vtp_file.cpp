@@ -1,4 +1,4 @@
-// Writes polylines or polygons as VTK XML files. Source: VTK File Formats, "PolyData", "Appended data",
+// Writes VTK XML files. Source: VTK File Formats, "PolyData", "UnstructuredGrid", "Appended data",
 // header_type UInt64.
 #include "io/vtp_file.hpp"
 
@@ -18,13 +18,14 @@ template <class T>
 constexpr const char* type_name() {
   if constexpr (std::is_same_v<T, double>) return "Float64";
   if constexpr (std::is_same_v<T, float>) return "Float32";
+  if constexpr (std::is_same_v<T, std::uint8_t>) return "UInt8";
   if constexpr (std::is_same_v<T, std::int32_t>) return "Int32";
   if constexpr (std::is_same_v<T, std::uint32_t>) return "UInt32";
   if constexpr (std::is_same_v<T, std::int64_t>) return "Int64";
 }
 
 /// Collects the XML and, apart, the raw numbers that it refers to by offset.
-class VtpText {
+class VtkXml {
  public:
   void line(const std::string& text) { xml_ += text + '\n'; }
   template <class T>
@@ -51,7 +52,7 @@ class VtpText {
   std::string raw_;
 };
 
-void add_field_data(VtpText& text, const PolyFrame& frame) {
+void add_field_data(VtkXml& text, const PolyFrame& frame) {
   text.line("<FieldData>");
   text.line(fmt::format(
       R"(<DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" format="ascii">{}</DataArray>)",
@@ -79,7 +80,7 @@ void write_vtp(const std::string& path, const PolyFrame& frame) {
   }
   const bool lines = frame.shape == CellShape::polyline;
   const std::size_t cells = frame.offsets.size() - 1;
-  VtpText text;
+  VtkXml text;
   text.line(R"(<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
   text.line("<PolyData>");
   add_field_data(text, frame);
@@ -96,6 +97,29 @@ void write_vtp(const std::string& path, const PolyFrame& frame) {
   text.arrays("PointData", frame.point_data);
   text.arrays("CellData", frame.cell_data);
   text.line("</Piece>\n</PolyData>");
+  replace_file(path, text.whole());
+}
+
+void write_vtu(const std::string& path, const PrismMesh& prisms) {
+  const std::vector<std::int64_t> connectivity = wedges_of(prisms);
+  std::vector<std::int64_t> ends;
+  for (std::size_t end = wedge_points; end <= connectivity.size(); end += wedge_points)
+    ends.push_back(static_cast<std::int64_t>(end));
+  VtkXml text;
+  text.line(
+      R"(<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">)");
+  text.line("<UnstructuredGrid>");
+  text.line(fmt::format(R"(<Piece NumberOfPoints="{}" NumberOfCells="{}">)", prisms.points.size() / 3,
+                        ends.size()));
+  text.line("<Points>");
+  text.array("Points", 3, prisms.points);
+  text.line("</Points>\n<Cells>");
+  text.array("connectivity", 1, connectivity);
+  text.array("offsets", 1, ends);
+  text.array("types", 1, std::vector<std::uint8_t>(ends.size(), vtk_wedge));
+  text.line("</Cells>");
+  text.arrays("PointData", prisms.point_data);
+  text.line("</Piece>\n</UnstructuredGrid>");
   replace_file(path, text.whole());
 }
 

@@ -1,12 +1,15 @@
 """Exports, and the VTKHDF layout against the specification, as ParaView's reader walks it."""
 import re
 import xml.etree.ElementTree as xml
+from pathlib import Path
 
 import h5py
 import numpy
 import pytest
 
 from small_case import column, run, series, write_case
+
+CASES = Path(__file__).resolve().parents[2] / "cases"
 
 
 @pytest.fixture(scope="module")
@@ -82,13 +85,13 @@ def test_lattice_shears_with_the_flow(result):
         assert numpy.allclose((tilt - strain + 0.5) % 1, 0.5, atol=1e-9)
 
 
-def read_vtp(path):
-    """Reads points, offsets and connectivity of an appended-raw .vtp file."""
+def read_vtp(path, piece="PolyData/Piece"):
+    """Reads the piece and the arrays of an appended-raw VTK file."""
     raw = path.read_bytes()
     mark = raw.index(b'<AppendedData encoding="raw">')
     blob = raw[raw.index(b"_", mark) + 1:]
     tree = xml.fromstring(raw[:mark].decode() + "</VTKFile>")
-    kinds = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4", "UInt32": "<u4"}
+    kinds = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4", "UInt32": "<u4", "UInt8": "u1"}
     arrays = {}
     for array in tree.iter("DataArray"):
         if array.get("format") != "appended":
@@ -97,7 +100,7 @@ def read_vtp(path):
         size = int(numpy.frombuffer(blob[begin:begin + 8], "<u8")[0])
         values = numpy.frombuffer(blob[begin + 8:begin + 8 + size], kinds[array.get("type")])
         arrays[array.get("Name")] = values.reshape(-1, int(array.get("NumberOfComponents")))
-    return tree.find("PolyData/Piece"), arrays
+    return tree.find(piece), arrays
 
 
 def test_vtp_series_holds_the_same_fibers(result):
@@ -116,6 +119,24 @@ def test_vtp_series_holds_the_same_fibers(result):
             assert (arrays["offsets"][:, 0] == numpy.cumsum([len(line) for line in lines])).all()
             assert (arrays["connectivity"][:, 0] == numpy.arange(len(points))).all()
             assert (arrays["birth_id"][:, 0] == data["birth_id"]).all()
+
+
+def test_layers_and_properties_are_exported_with_the_frames(tmp_path):
+    run("run", CASES / "30_plaque" / "case.toml", "--set", "part.mesh_size=8 mm", "--progress", "none", "--out", tmp_path / "r")
+    run("export", tmp_path / "r", "--format", "vtp", "--out", tmp_path / "vtp")
+    assert {"part.pvd", "layers.vtu"} <= {file.name for file in (tmp_path / "vtp").iterdir()}
+    piece, arrays = read_vtp(tmp_path / "vtp" / "layers.vtu", "UnstructuredGrid/Piece")
+    with h5py.File(tmp_path / "r" / "layers.vtkhdf") as file:
+        grid = file["VTKHDF"]
+        assert int(piece.get("NumberOfPoints")) == grid["NumberOfPoints"][0]
+        assert int(piece.get("NumberOfCells")) == grid["NumberOfCells"][0]
+        assert (arrays["Points"] == grid["Points"][:]).all()
+        assert (arrays["connectivity"][:, 0] == grid["Connectivity"][:]).all()
+        assert (arrays["offsets"][:, 0] == grid["Offsets"][1:]).all()
+        assert (arrays["types"][:, 0] == grid["Types"][:]).all()
+        assert set(grid["PointData"]) == set(arrays) - {"Points", "connectivity", "offsets", "types"}
+        for name, values in grid["PointData"].items():
+            assert numpy.array_equal(arrays[name], numpy.reshape(values, arrays[name].shape), equal_nan=True), name
 
 
 def test_csv_holds_every_node_and_can_be_read_again(result, tmp_path):
