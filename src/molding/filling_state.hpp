@@ -94,6 +94,9 @@ struct FillingState {
   std::vector<double> rate;                        ///< by point: shear rate, 1/s
   std::array<std::vector<double>, 6> orientation;  ///< by point, A2 in the node's frame: 11 22 33 23 31 12
   std::vector<double> lengths;  ///< by point and field, m (or numbers of fibers, for Phelps' bins)
+
+  /// Whether a node counts as full for marks: the last ones lack round-off.
+  [[nodiscard]] bool is_full(std::size_t node) const { return filled[node] >= 1 - 1e-9; }
 };
 
 }  // namespace fiberfate

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <vector>
+
+#include "molding/weld_lines.hpp"
 
 namespace fiberfate {
 namespace {
 
-/// Cosine of the angle between two fronts beyond which their meeting is a weld line.
-constexpr double weld_cosine = -0.5;
-/// Filled share from which on a node counts as full for marks: the last ones lack round-off.
-constexpr double as_good_as_full = 1 - 1e-9;
+/// Nodes of the smallest pocket of air that is told from the unevenness of fronts that meet: more than a node
+/// and the ring around it.
+constexpr std::size_t least_pocket = 8;
 /// Filled share from which on a node is full that a gate fills to the brim.
 constexpr double as_good_as_primed = 1 - 1e-14;
 
@@ -74,6 +77,26 @@ void pass_overflow(const FlowSolver& solver, StepFlow& step, FillingState& state
   }
 }
 
+/// Whether a full node was the last of a pocket that melt had closed in: going back in time from it, the
+/// pocket grows over `least_pocket` nodes before it meets one that was reached later.
+bool ends_a_pocket(const ShellMesh& mesh, const FillingState& state, std::size_t node) {
+  const auto earlier = [&state](Index a, Index b) { return state.fill_time[a] < state.fill_time[b]; };
+  std::priority_queue<Index, std::vector<Index>, decltype(earlier)> rim(earlier);
+  std::vector<Index> seen = {static_cast<Index>(node)};
+  for (std::size_t last = node, size = 1; size < least_pocket; ++size) {
+    for (const ShellNeighbour& next : mesh.neighbours(last)) {
+      if (std::ranges::find(seen, next.node) != seen.end()) continue;
+      if (!state.is_full(next.node) || !(state.fill_time[next.node] < state.fill_time[node])) return false;
+      seen.push_back(next.node);
+      rim.push(next.node);
+    }
+    if (rim.empty()) return false;
+    last = rim.top();
+    rim.pop();
+  }
+  return true;
+}
+
 }  // namespace
 
 double volume_at_front(const ShellMesh& mesh, const FlowField& field) {
@@ -114,22 +137,14 @@ void advance_front(const FlowSolver& solver, const FlowField& field, StepFlow& s
 
 void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state) {
   for (std::size_t i = 0; i < mesh.node_count(); ++i) {
-    if (step.at_front[i] == 0 || state.filled[i] < as_good_as_full) continue;
-    bool enclosed = true;
-    const double size = state.inflow[i].norm();
+    if (step.at_front[i] == 0 || !state.is_full(i)) continue;
     for (const ShellNeighbour& other : mesh.neighbours(i)) {
-      const bool full = state.filled[other.node] >= as_good_as_full;
-      enclosed = enclosed && full && state.fill_time[other.node] < state.fill_time[i];
-      const Vec2& there = state.inflow[other.node];
-      const Vec2 turned(other.turn[0] * there[0] - other.turn[1] * there[1],
-                        other.turn[1] * there[0] + other.turn[0] * there[1]);
-      const bool opposed = state.inflow[i].dot(turned) < weld_cosine * size * there.norm();
-      if (!full || !opposed || !(state.inflow[i].dot(other.direction) > 0)) continue;
+      if (!state.is_full(other.node) || !fronts_met_between(state, i, other)) continue;
       state.mark[i] = NodeMark::weld_line;
       state.mark[other.node] = NodeMark::weld_line;
     }
-    if (size < 0.5 * mesh.volume(i) && state.inflow[i] != Vec2::Zero()) state.mark[i] = NodeMark::weld_line;
-    if (enclosed) state.mark[i] = NodeMark::air_trap;
+    if (fronts_met_in(mesh, state, i)) state.mark[i] = NodeMark::weld_line;
+    if (ends_a_pocket(mesh, state, i)) state.mark[i] = NodeMark::air_trap;
   }
 }
 

@@ -19,8 +19,8 @@ namespace fiberfate {
 /// `excess`, `fill_time`, `inflow`. Nothing is lost: contents change by what the edges and gates carry.
 void advance_front(const FlowSolver& solver, const FlowField& field, StepFlow& step, FillingState& state);
 
-/// Marks nodes that have become full: weld lines where fronts met that came from directions more than 120
-/// degrees apart, air traps where all neighbours were full before.
+/// Marks nodes that have become full: weld lines where fronts met (weld_lines.hpp), air traps where a pocket
+/// ended that melt had closed in.
 void mark_front(const ShellMesh& mesh, const StepFlow& step, FillingState& state);
 
 /// Marks the node that the melt reached last, in a cavity that is full.

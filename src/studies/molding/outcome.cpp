@@ -33,6 +33,12 @@ double sample_mean(const MoldingFields& fields, const std::vector<Index>& nodes,
   return sum / weights;  // NaN where there is no melt
 }
 
+/// Finds the node nearest to a place.
+std::size_t nearest_to(const MoldingFields& fields, std::size_t place) {
+  return fields.filling().mesh().nearest_node(
+      position_of(fields.values().output.places[place], fields.setup().part));
+}
+
 /// Measures every place with every set of length laws.
 std::vector<PlaceSample> place_samples(const MoldingFields& fields, const Samples& samples) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -45,7 +51,7 @@ std::vector<PlaceSample> place_samples(const MoldingFields& fields, const Sample
     PlaceSample sample = {place,
                           0,
                           nan,
-                          sample_mean(fields, nodes, state.fill_time),
+                          state.fill_time[nearest_to(fields, place)],
                           sample_mean(fields, nodes, temperature),
                           {nan, nan},
                           {nan, nan},
@@ -71,7 +77,7 @@ CsvTable profiles_table(const MoldingFields& fields) {
   const std::size_t layers = filling.layers().count();
   const std::vector<NamedPlace>& places = fields.values().output.places;
   for (std::size_t p = 0; p < places.size(); ++p) {
-    const std::size_t node = filling.mesh().nearest_node(position_of(places[p], fields.setup().part));
+    const std::size_t node = nearest_to(fields, p);
     for (std::size_t layer = 0; layer < layers && fields.is_wet(node); ++layer)
       table.append(
           measure(profile_observables(), GapPoint{fields, node, layer, viscosity[node * layers + layer], p}));

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/vtkhdf_file.hpp"
+#include "molding/weld_lines.hpp"
 #include "results/fiber_frame.hpp"
 #include "studies/molding/checkpoint.hpp"
 #include "studies/molding/setup.hpp"
@@ -150,7 +151,8 @@ void add_stiffness_axes(const ResultFolder& folder, ShellSection& section) {
 /// Adds places and weld lines out of the last state, and the layers, whose thickness only its shell tells.
 void add_last_state(const MoldingCase& values, const ResultFolder& folder, ShellSection& section) {
   const MoldingCheckpoint last = load_molding(folder);
-  add_layers(folder, ShellMesh(last.shell), section);
+  const ShellMesh mesh(last.shell);
+  add_layers(folder, mesh, section);
   const MoldingSetup setup = molding_setup(values, last.shell);
   for (const Gate& gate : setup.params.gates)
     section.places.push_back(
@@ -158,15 +160,9 @@ void add_last_state(const MoldingCase& values, const ResultFolder& folder, Shell
   for (const NamedPlace& place : values.output.places)
     section.places.push_back({place.name, PlaceMark::place, position_of(place, setup.part)});
   ShellLines weld = {"weld lines", {}};
-  const auto is_weld = [&](Index node) { return last.state.mark[node] == NodeMark::weld_line; };
-  for (const auto& triangle : last.shell.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = triangle[k], b = triangle[(k + 1) % 3];
-      if (!is_weld(a) || !is_weld(b)) continue;
-      for (const Index node : {a, b})
-        for (int axis = 0; axis < 3; ++axis)
-          weld.segments.push_back(static_cast<float>(last.shell.nodes[node][axis]));
-    }
+  for (const LinePiece& piece : weld_lines(mesh, last.state))
+    for (const Vec3& end : piece)
+      for (int axis = 0; axis < 3; ++axis) weld.segments.push_back(static_cast<float>(end[axis]));
   if (!weld.segments.empty()) section.lines.push_back(std::move(weld));
   for (std::size_t i = 0; i < last.state.mark.size(); ++i) {
     if (last.state.mark[i] == NodeMark::air_trap)

@@ -1,6 +1,7 @@
 // Finds weld lines, air traps and the order of filling.
 #include <gtest/gtest.h>
 
+#include "molding/weld_lines.hpp"
 #include "test_shells.hpp"
 
 namespace fiberfate {
@@ -27,6 +28,28 @@ TEST(FrontMarks, FrontsThatMeetLeaveAWeldLine) {
     ++welds;
   }
   EXPECT_GE(welds, 5);
+}
+
+/// Two round fronts in a plate leave one straight line across its middle, of the plate's width, and trap air
+/// at most where the line ends: unevenness of the fronts along it is no pocket.
+TEST(FrontMarks, RoundFrontsLeaveOneStraightLineWithoutTraps) {
+  const Rectangle r{0.08, 0.04, 0.003, 40, 20};
+  FillingParams params = newtonian(1e-6, round_gate({0, 0.5 * r.width, 0}));
+  params.gates.push_back(round_gate({r.length, 0.5 * r.width, 0}));
+  Filling filling{ShellMesh(rectangle(r)), params};
+  filling.run_to_end();
+  double length = 0;
+  for (const LinePiece& piece : weld_lines(filling.mesh(), filling.state())) {
+    for (const Vec3& end : piece) EXPECT_NEAR(end[0], 0.04, 0.003);
+    length += std::abs(piece[1][1] - piece[0][1]);
+  }
+  EXPECT_NEAR(length, r.width, 0.15 * r.width);
+  for (std::size_t i = 0; i < filling.mesh().node_count(); ++i) {
+    const double y = filling.mesh().shell().nodes[i][1];
+    if (filling.state().mark[i] == NodeMark::air_trap) {
+      EXPECT_GT(std::abs(y - 0.02), 0.016);
+    }
+  }
 }
 
 /// A front that runs along a strip leaves no weld line; its times rise with x.

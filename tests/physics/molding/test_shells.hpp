@@ -106,6 +106,14 @@ inline Gate film_gate(const Vec3& begin, const Vec3& end) {
   return gate;
 }
 
+/// A round gate of 1 mm radius.
+inline Gate round_gate(const Vec3& position) {
+  Gate gate;
+  gate.position = position;
+  gate.radius = 1e-3;
+  return gate;
+}
+
 /// Fills to the end, or until a test fails for good, and looks after every step.
 template <class Look>
 void fill(Filling& filling, const Look& look) {
