@@ -10,16 +10,18 @@
 namespace fiberfate {
 namespace {
 
-bool is_seed(const std::string& key) {
+/// Whether a key tells replicas apart (a seed) or changes no result (threads, checkpoints).
+bool is_of_the_run(const std::string& key) {
   const std::size_t dot = key.rfind('.');
-  return key.substr(dot == std::string::npos ? 0 : dot + 1) == "seed";
+  const std::string leaf = key.substr(dot == std::string::npos ? 0 : dot + 1);
+  return leaf == "seed" || key == "run.threads" || key == "output.checkpoint_interval";
 }
 
 bool are_replicas(const ComparedRun& one, const ComparedRun& other) {
   const auto essential = [](const ComparedRun& run) {
     std::vector<std::pair<std::string, std::string>> keys;
     for (const ResolvedKey& key : run.keys)
-      if (!is_seed(key.name)) keys.emplace_back(key.name, key.value);
+      if (!is_of_the_run(key.name)) keys.emplace_back(key.name, key.value);
     return keys;
   };
   return essential(one) == essential(other);

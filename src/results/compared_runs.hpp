@@ -8,7 +8,7 @@
 
 namespace fiberfate {
 
-/// Runs whose cases differ in seeds alone.
+/// Runs whose cases differ only in their seed and in keys that change no result.
 struct Replicas {
   std::string label;
   std::vector<const ComparedRun*> runs;

@@ -167,6 +167,24 @@ ComparedValue value_of(const std::string& text) {
   return {text};
 }
 
+/// Joins texts, each once: "1, 2" of the seeds of two runs.
+std::string joined(const std::vector<std::string>& texts) {
+  std::vector<std::string> different;
+  for (const std::string& text : texts)
+    if (std::ranges::find(different, text) == different.end()) different.push_back(text);
+  return fmt::format("{}", fmt::join(different, ", "));
+}
+
+/// What the runs of a group give for a key.
+std::string given_by(const Replicas& group, const std::string& name) {
+  std::vector<std::string> texts;
+  for (const ComparedRun* run : group.runs) {
+    const auto found = std::ranges::find(run->keys, name, &ResolvedKey::name);
+    texts.push_back(found == run->keys.end() ? "–" : found->value);
+  }
+  return joined(texts);
+}
+
 /// Lists the keys in which the runs differ; a key that a run does not give is a dash.
 ComparisonSection differences(const std::vector<Replicas>& groups, const std::vector<std::string>& labels) {
   ComparisonSection section{"differences", "What differs", labels, {}};
@@ -177,11 +195,7 @@ ComparisonSection differences(const std::vector<Replicas>& groups, const std::ve
         names.emplace_back(key.name, key.unit);
   for (const auto& [name, unit] : names) {
     std::vector<std::string> texts;
-    for (const Replicas& group : groups) {
-      const std::vector<ResolvedKey>& keys = group.runs.front()->keys;
-      const auto found = std::ranges::find(keys, name, &ResolvedKey::name);
-      texts.push_back(found == keys.end() ? "–" : found->value);
-    }
+    for (const Replicas& group : groups) texts.push_back(given_by(group, name));
     if (std::ranges::all_of(texts, [&texts](const std::string& text) { return text == texts.front(); }))
       continue;
     ComparedFact row{name, {}, unit};
@@ -205,12 +219,14 @@ std::vector<std::pair<std::string, std::variant<double, std::string>>> split(con
   return rows;
 }
 
-/// The mean of replicas with their ends; texts that differ between them are left open.
+/// The mean of replicas with their ends; texts one after another, each once.
 ComparedValue merge_values(const std::vector<std::variant<double, std::string>>& values) {
-  if (const auto* text = std::get_if<std::string>(&values.front()))
-    return {std::ranges::all_of(values, [&](const auto& one) { return one == values.front(); })
-                ? *text
-                : std::string("differs")};
+  if (std::holds_alternative<std::string>(values.front())) {
+    std::vector<std::string> texts;
+    for (const auto& one : values)
+      if (const auto* text = std::get_if<std::string>(&one)) texts.push_back(*text);
+    return {joined(texts)};
+  }
   double sum = 0, low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto& one : values) {
     const double number = std::holds_alternative<double>(one) ? std::get<double>(one) : std::nan("");
@@ -267,8 +283,8 @@ ReportDocument compare_reports(const std::vector<ComparedRun>& runs) {
   document.subtitle = "Pictures, maps and tables are in the report of each run.";
   if (groups.size() < runs.size())
     document.subtitle +=
-        " Runs that differ in seeds alone are one line, their mean, with a band from the least "
-        "of them to the largest.";
+        " Runs that differ only in their seed are shown as their mean; the band spans their minimum and "
+        "maximum.";
   if (ComparisonSection section = differences(groups, labels); !section.rows.empty())
     document.sections.emplace_back(std::move(section));
   for (const LinesSection& chart : all_charts(runs))

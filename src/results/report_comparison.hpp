@@ -23,9 +23,9 @@ struct ComparedRun {
   std::vector<ResolvedKey> keys;
 };
 
-/// Makes one document of those of several runs. Runs whose cases differ in seeds alone are replicas: one
-/// line, their mean, with a band from the least of them to the largest. What all runs share is drawn once.
-/// Pictures, maps and tables stay with the report of each run.
+/// Makes one document of those of several runs. Runs whose cases differ only in their seed and in keys that
+/// change no result are replicas: one line, their mean, with a band from the least of them to the largest.
+/// What all runs share is drawn once. Pictures, maps and tables stay with the report of each run.
 [[nodiscard]] ReportDocument compare_reports(const std::vector<ComparedRun>& runs);
 
 }  // namespace fiberfate

@@ -20,7 +20,7 @@ FactsSection asked(const ClusterCase& values) {
       {"Weight of curvature", values.sample.cluster.weights.curvature, "", "against overlap"});
   section.rows.push_back(
       {"Weight of orientation", values.sample.cluster.weights.orientation, "", "against overlap"});
-  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});
+  section.rows.push_back({"Seed", std::to_string(values.run.seed)});
   return section;
 }
 

@@ -58,7 +58,7 @@ FactsSection asked(const ShearCellCase& values) {
   section.rows.push_back({"Friction coefficient", values.dynamics.contact.friction});
   section.rows.push_back({"Bending", values.dynamics.hinge});
   append_breakage(section.rows, values.dynamics.breakage);
-  section.rows.push_back({"Seed", static_cast<std::int64_t>(values.run.seed)});
+  section.rows.push_back({"Seed", std::to_string(values.run.seed)});
   return section;
 }
 
