@@ -29,6 +29,16 @@ constexpr int most_better_fits = 3;
 /// Share of s^2 t^2 by which a point must come below the fit to be a better one.
 constexpr double distinct = 1e-3;
 
+/// Sums of squares up to this one are round-off: residuals of 1e-12 of the values.
+double round_off(const FitProblem& problem) {
+  constexpr double share = 1e-12;
+  double sum = 0;
+  for (const FitSeries& series : problem.series)
+    for (std::size_t i = 0; i < series.observed.size(); ++i)
+      sum += std::pow(share * series.observed[i] / series.uncertainty[i], 2);
+  return sum;
+}
+
 /// Finds where a profile passes a limit.
 class EndSearch {
  public:
@@ -209,7 +219,8 @@ Profile profile(const FitProblem& problem, const FitResult& fit, std::size_t par
   for (int followed = 0;; ++followed) {
     Walked walked = walk_from(task, best, limit);
     result = std::move(walked.profile);
-    const bool better = walked.best_chi_square < chi_square - distinct * (limit - chi_square);
+    const bool better = chi_square > round_off(problem) &&
+                        walked.best_chi_square < chi_square - distinct * (limit - chi_square);
     if (!better || followed == most_better_fits) break;
     best = std::move(walked.best);
     chi_square = walked.best_chi_square;

@@ -1,7 +1,15 @@
 // A chosen law and its parameters, for a report and for summary.json.
 #include "studies/law_facts.hpp"
 
+#include "base/units.hpp"
+
 namespace fiberfate {
+
+ShownAs shown_as(const LawParameter& parameter) {
+  const std::string unit = friendly_unit(parameter);
+  return unit.empty() ? ShownAs{}
+                      : ShownAs{unit == "um" ? "µm" : unit, 1 / unit_factor(unit, parameter.unit)};
+}
 
 std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const LawChoice& choice) {
   const LawMenuItem* law = chosen_law(menu, choice);
@@ -10,7 +18,8 @@ std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const
   const std::vector<double> values = law_values(menu, choice);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LawParameter& parameter = law->parameters[i];
-    facts.push_back({parameter.name, values[i], shown_unit(parameter.unit), parameter.meaning});
+    const ShownAs shown = shown_as(parameter);
+    facts.push_back({parameter.name, shown.factor * values[i], shown.unit, parameter.meaning});
   }
   return facts;
 }

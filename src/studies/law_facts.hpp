@@ -15,6 +15,14 @@ namespace fiberfate {
   return unit == "1" ? "" : unit;
 }
 
+/// How numbers in SI are shown: times a factor, in a unit.
+struct ShownAs {
+  std::string unit;
+  double factor = 1;
+};
+/// Shows the values of a parameter in the unit in which people write it.
+[[nodiscard]] ShownAs shown_as(const LawParameter& parameter);
+
 /// Lists the chosen law and its parameters; nothing where no law is chosen.
 [[nodiscard]] std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label,
                                           const LawChoice& choice);

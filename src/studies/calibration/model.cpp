@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -161,6 +163,18 @@ FitParameter fit_parameter(const CalibrationSearch& search, const LawParameter& 
   return one;
 }
 
+/// The deviation of an observation at a time: interpolated, and that of the nearest one before the first and
+/// after the last.
+double deviation_at(const MeasuredSeries& series, double time) {
+  std::map<double, double> known;
+  for (std::size_t i = 0; i < series.times.size(); ++i) known[series.times[i]] = series.deviations[i];
+  const auto after = known.lower_bound(time);
+  if (after == known.end()) return known.rbegin()->second;
+  if (after == known.begin()) return after->second;
+  const auto before = std::prev(after);
+  return std::lerp(before->second, after->second, (time - before->first) / (after->first - before->first));
+}
+
 }  // namespace
 
 LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition) {
@@ -234,11 +248,10 @@ MeasuredSeries refined(const MeasuredSeries& series, std::size_t count) {
   fine.times.clear();
   fine.deviations.clear();
   const double end = *std::max_element(series.times.begin(), series.times.end());
-  const double mean = std::accumulate(series.deviations.begin(), series.deviations.end(), 0.0) /
-                      static_cast<double>(series.times.size());
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
     fine.times.push_back(end * static_cast<double>(i) / static_cast<double>(count - 1));
-  fine.deviations.assign(count, mean);
+    fine.deviations.push_back(deviation_at(series, fine.times.back()));
+  }
   fine.values.assign(count, 0.0);
   return fine;
 }

@@ -58,15 +58,17 @@ TableSection estimates(const CalibrationCase& values, const SummaryFile& summary
   if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
   for (const LawParameter& parameter : free_parameters(values)) {
     const std::string key = name.prefix + parameter.name;
-    const auto interval = [&](const std::string& kind) {
-      return written_interval(summary.number(key + kind + "_lower"), summary.number(key + kind + "_upper"));
+    const auto [unit, factor] = shown_as(parameter);
+    const auto interval = [&, factor = factor](const std::string& kind) {
+      return written_interval(factor * summary.number(key + kind + "_lower"),
+                              factor * summary.number(key + kind + "_upper"));
     };
-    section.rows.push_back({parameter.name, shown_unit(parameter.unit), summary.number(key),
-                            summary.number(key + "_standard_error"), interval("")});
+    section.rows.push_back({parameter.name, unit, factor * summary.number(key),
+                            factor * summary.number(key + "_standard_error"), interval("")});
     if (profiles) section.rows.back().emplace_back(interval("_profile"));
     if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
   }
-  section.caption = "Missing where the data cannot tell (docs/theory/calibration.md).";
+  section.caption = "An empty cell: the data do not determine this parameter.";
   return section;
 }
 
@@ -76,14 +78,14 @@ std::vector<Fact> parameter_facts(const CalibrationCase& values, const SummaryFi
   const bool first = free.size() * fit_names(values).size() <= most_headlines;
   std::vector<Fact> facts;
   for (const LawParameter& one : free) {
-    const std::string key = name.prefix + one.name,
-                      interval =
-                          written_interval(summary.number(key + "_lower"), summary.number(key + "_upper"));
-    const std::string unit = shown_unit(one.unit);
-    facts.push_back({one.name + name.heading, summary.number(key), unit,
-                     interval.empty() ? "no interval can be told"
-                                      : fmt::format("{} {}{}with {:g} %", interval, unit,
-                                                    unit.empty() ? "" : " ", 100 * values.search.level),
+    const std::string key = name.prefix + one.name;
+    const auto [unit, factor] = shown_as(one);
+    const std::string interval =
+        written_interval(factor * summary.number(key + "_lower"), factor * summary.number(key + "_upper"));
+    facts.push_back({one.name + name.heading, factor * summary.number(key), unit,
+                     interval.empty() ? "the data give no interval"
+                                      : fmt::format("{:g} % interval: {}{}{}", 100 * values.search.level,
+                                                    interval, unit.empty() ? "" : " ", unit),
                      first ? Prominence::headline : Prominence::ordinary});
   }
   return facts;

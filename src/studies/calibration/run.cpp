@@ -18,6 +18,7 @@
 #include "studies/calibration/fits.hpp"
 #include "studies/calibration/model.hpp"
 #include "studies/calibration/molds.hpp"
+#include "studies/law_facts.hpp"
 #include "studies/pace.hpp"
 
 namespace fiberfate {
@@ -106,14 +107,22 @@ class OneFit {
   [[nodiscard]] std::string headline() const {
     std::vector<std::string> found;
     for (const ParameterEstimate& one : result_.parameters)
-      if (one.outcome == ParameterOutcome::determined)
-        found.push_back(fmt::format("{} {:.4g} [{:.4g}, {:.4g}]", one.name, one.value, one.interval.lower,
-                                    one.interval.upper));
+      if (one.outcome == ParameterOutcome::determined) found.push_back(estimate_text(one));
     if (found.empty()) found.emplace_back("the data determine no parameter");
     return fmt::format("{}: {}", title(), fmt::join(found, ", "));
   }
 
  private:
+  /// "L_inf 1.131 mm [1.05, 1.219]".
+  [[nodiscard]] std::string estimate_text(const ParameterEstimate& one) const {
+    const std::vector<LawParameter>& known =
+        chosen_law(calibrated_menu(values_), calibrated_law(values_))->parameters;
+    const auto [unit, factor] = shown_as(*std::ranges::find(known, one.name, &LawParameter::name));
+    return fmt::format("{} {:.4g}{}{} [{:.4g}, {:.4g}]", one.name, factor * one.value,
+                       unit.empty() ? "" : " ", unit, factor * one.interval.lower,
+                       factor * one.interval.upper);
+  }
+
   /// What is fitted, for people.
   [[nodiscard]] std::string title() const {
     return prefix_.empty() ? "all conditions" : values_.conditions.names[series_.front().condition];
