@@ -10,12 +10,13 @@ function(_fiberfate_embed target name script argument)
     COMMAND "${CMAKE_COMMAND}" -D "${argument}" -D "OUTPUT=${source}" -P "${script}"
     DEPENDS ${ARGN} "${script}"
     COMMENT "Embedding ${name}" VERBATIM)
+  # Pictures are longer than compilers must support.
+  set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "-Wno-overlength-strings")
   target_sources(${target} PRIVATE "${source}")
 endfunction()
 
 function(fiberfate_embed_gallery target)
-  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cases/*.toml" "${PROJECT_SOURCE_DIR}/cases/*.md"
-       "${PROJECT_SOURCE_DIR}/cases/*.txt" "${PROJECT_SOURCE_DIR}/cases/*.csv" "${PROJECT_SOURCE_DIR}/cases/*.msh")
+  file(GLOB files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/cases/*.py" "${PROJECT_SOURCE_DIR}/cases/[0-9][0-9]_*/*")
   _fiberfate_embed(${target} gallery_files "${FIBERFATE_CMAKE_SCRIPTS}/WriteGallery.cmake"
                    "CASES=${PROJECT_SOURCE_DIR}/cases" ${files})
 endfunction()

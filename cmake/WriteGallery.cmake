@@ -1,15 +1,25 @@
-# Writes OUTPUT, a source that holds the files below CASES as raw strings.
-file(GLOB_RECURSE files RELATIVE "${CASES}" "${CASES}/*.toml" "${CASES}/*.md" "${CASES}/*.txt" "${CASES}/*.csv"
-     "${CASES}/*.msh")
+# Writes OUTPUT, a source that holds the files below CASES as strings: those of the cases, and the modules that their
+# scripts share.
+file(GLOB files RELATIVE "${CASES}" "${CASES}/*.py" "${CASES}/[0-9][0-9]_*/*")
 list(SORT files)
 set(entries "")
 foreach(file IN LISTS files)
   get_filename_component(case_name "${file}" DIRECTORY)
   get_filename_component(name "${file}" NAME)
-  if(case_name MATCHES "^[0-9][0-9]_[a-z0-9_]+$")
+  # Compilers turn the line breaks of CSV files in raw strings into others.
+  if(name MATCHES "\\.(png|svg|csv)$")
+    file(READ "${CASES}/${file}" text HEX)
+    string(REGEX REPLACE "(..)" "\\\\x\\1" text "${text}")
+    set(text "\"${text}\"sv")
+  else()
     file(READ "${CASES}/${file}" text)
-    string(APPEND entries "    {\"${case_name}\", \"${name}\", R\"gallery(${text})gallery\"},\n")
+    # A copy stands by itself: what lies beside the gallery is named, not linked.
+    if(name MATCHES "\\.md$")
+      string(REGEX REPLACE "\\[([^]\n]*)\\]\\(\\.\\./[^)\n]*\\)" "\\1" text "${text}")
+    endif()
+    set(text "R\"gallery(${text})gallery\"sv")
   endif()
+  string(APPEND entries "    {\"${case_name}\", \"${name}\", ${text}},\n")
 endforeach()
 file(WRITE "${OUTPUT}" "// Generated from cases/ by cmake/WriteGallery.cmake.
 #include <array>
@@ -18,6 +28,8 @@ file(WRITE "${OUTPUT}" "// Generated from cases/ by cmake/WriteGallery.cmake.
 
 namespace fiberfate {
 namespace {
+
+using namespace std::string_view_literals;
 
 constexpr auto files = std::to_array<GalleryFile>({
 ${entries}});

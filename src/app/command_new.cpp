@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct NamedText {
+struct NewFile {
   std::string name;
   std::string text;
 };
@@ -34,19 +34,19 @@ struct NamedText {
 }
 
 /// The files to write and the name of their folder.
-std::pair<std::string, std::vector<NamedText>> files_of(const std::string& what) {
+std::pair<std::string, std::vector<NewFile>> files_of(const std::string& what) {
   if (const Study* study = find_study(what)) return {what, {{"case.toml", case_template(*study)}}};
   const std::string name = find_gallery_case(what);
   if (name.empty()) refuse_name(what);
-  std::vector<NamedText> files;
-  for (const GalleryFile& file : gallery_files())
-    if (file.case_name == name) files.push_back({std::string(file.name), std::string(file.text)});
+  std::vector<NewFile> files;
+  for (const GalleryFile& file : files_of_case(name))
+    files.push_back({std::string(file.name), std::string(file.text)});
   return {name, files};
 }
 
-void refuse_existing(const fs::path& folder, const std::vector<NamedText>& files) {
+void refuse_existing(const fs::path& folder, const std::vector<NewFile>& files) {
   std::vector<InputProblem> problems;
-  for (const NamedText& file : files)
+  for (const NewFile& file : files)
     if (fs::exists(folder / file.name))
       problems.push_back({(folder / file.name).lexically_normal().string(), 0, 0, "", "", "exists already",
                           "give another folder, or --overwrite"});
@@ -60,6 +60,9 @@ void write_file(const fs::path& path, const std::string& text) {
   if (!file)
     throw StorageError(
         fmt::format("{} cannot be written; check the folder and the space left", path.string()));
+  if (text.starts_with("#!"))
+    fs::permissions(path, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
+                    fs::perm_options::add);
 }
 
 }  // namespace
@@ -71,7 +74,7 @@ int run_new(const NewOptions& options) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw StorageError(fmt::format("{} cannot be made ({})", folder.string(), error.message()));
-  for (const NamedText& file : files) write_file(folder / file.name, file.text);
+  for (const NewFile& file : files) write_file(folder / file.name, file.text);
   const std::string case_file = (folder / "case.toml").lexically_normal().string();
   fmt::print("{}\n\nRun it with\n  fiberfate run {}\n", case_file, case_file);
   return 0;

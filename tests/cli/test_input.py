@@ -5,10 +5,13 @@ Every message names file, line and remedy, the exit status is 2, and nothing is 
 import os
 import re
 import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
 PROGRAM = os.environ.get("FIBERFATE", "fiberfate")
+CASES = Path(__file__).resolve().parents[2] / "cases"
 
 CASE = """study = "shear_cell"
 
@@ -418,7 +421,7 @@ def test_unknown_commands_and_options(tmp_path):
 
 def test_help_and_version(tmp_path):
     assert re.fullmatch(r"fiberfate \d+\.\d+\.\d+\n", call("--version", folder=tmp_path, expect=0).stdout)
-    commands = ["new", "check", "run", "resume", "report", "export", "import", "explain"]
+    commands = ["new", "check", "run", "resume", "report", "export", "import", "explain", "cite"]
     overview = call("--help", folder=tmp_path, expect=0).stdout
     for command in commands:
         assert f"\n  {command} " in overview
@@ -442,6 +445,19 @@ def test_new_copies_the_gallery_from_inside_the_program(tmp_path):
     assert re.search(r"# +fibers +628\n", done.stdout)
     assert re.search(r"# +volume fraction +13\.19 %\n", done.stdout)
     assert (tmp_path / "05_couette_30wt" / "README.md").exists()
+
+
+def test_new_copies_a_case_whole(tmp_path):
+    call("new", "04_couette_43wt", "mine", folder=tmp_path, expect=0)
+    case, copy = CASES / "04_couette_43wt", tmp_path / "mine"
+    names = {file.name for file in case.iterdir()}
+    assert {file.name for file in copy.iterdir()} == names | {"study_runs.py", "fiber_frames.py"}
+    for name in names - {"README.md"}:
+        assert (copy / name).read_bytes() == (case / name).read_bytes(), name
+    assert "](../" not in (copy / "README.md").read_text(encoding="utf-8")
+    assert os.access(copy / "study.py", os.X_OK)
+    help_text = subprocess.run([sys.executable, copy / "study.py", "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
+    assert "--tables" in help_text
 
 
 def gallery():
