@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/command_check.hpp"
+#include "app/command_cite.hpp"
 #include "app/command_explain.hpp"
 #include "app/command_export.hpp"
 #include "app/command_import.hpp"
@@ -45,6 +46,7 @@ A session:
   fiberfate run first/case.toml           run it into a result folder
   fiberfate report results/first          write a report that opens in any browser
   fiberfate explain breakage.law          what a key means
+  fiberfate cite results/first            what a paper says of it
 )";
 
 constexpr const char* statuses =
@@ -74,6 +76,7 @@ struct Commands {
   ExportOptions export_result;
   ImportOptions import_case;
   ExplainOptions explain;
+  CiteOptions cite;
   std::string run_until, resume_until;
   int status = 0;
 };
@@ -233,6 +236,13 @@ void add_result_commands(CLI::App& app, Commands& commands) {
       ->type_name("FORMAT");
   export_result->add_option("--out", commands.export_result.out, "Where to write")->type_name("DIR");
   export_result->callback([&commands] { commands.status = run_export(commands.export_result); });
+
+  CLI::App* cite =
+      app.add_subcommand("cite", "Print what a paper says of a result: method, laws, values, references");
+  cite->footer("Examples:\n  fiberfate cite\n  fiberfate cite results/fast");
+  cite->add_option("dir", commands.cite.folder, "The result folder; left out: how to cite the program")
+      ->type_name("DIR");
+  cite->callback([&commands] { commands.status = run_cite(commands.cite); });
 
   CLI::App* import_case =
       app.add_subcommand("import", "Turn input decks of the published program into a case");

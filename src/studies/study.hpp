@@ -30,9 +30,16 @@ struct TakenOptions {
   bool steps = false;
 };
 
+/// What a paper says of a study's method.
+struct MethodText {
+  const char* sentence = "";  ///< whole sentences in the present tense
+  const char* source = "";    ///< author, journal, year; several after "; "
+};
+
 /// The functions of one study, for a case of any type. All of them are pure but compute and report.
 struct Study : CaseKind {
   TakenOptions takes;
+  MethodText method;
   std::function<CaseEstimate(const CaseValues&)> estimate;
   /// Computes what the case asks for. Raises NoOutcome where it was stopped before there is anything,
   /// SimulationFailure, StorageError and, where only the computation can tell, InputError.
@@ -52,13 +59,19 @@ struct StudyFunctions {
   Outcome (*compute)(const Case&, Session&);
   ReportDocument (*report)(const Case&, const ResultFolder&);
   TakenOptions takes = {};
+  MethodText method = {};
 };
 
 /// Makes a study that takes any case from functions that take its own.
 template <class Case>
 [[nodiscard]] Study make_study(const StudyFunctions<Case>& typed) {
   const auto of = [](const CaseValues& values) -> const Case& { return *std::any_cast<Case>(&values); };
-  Study study{case_kind(typed.name, typed.summary, typed.describe, typed.validate), typed.takes, {}, {}, {}};
+  Study study{case_kind(typed.name, typed.summary, typed.describe, typed.validate),
+              typed.takes,
+              typed.method,
+              {},
+              {},
+              {}};
   study.estimate = [typed, of](const CaseValues& values) { return typed.estimate(of(values)); };
   study.compute = [typed, of](const CaseValues& values, Session& session) {
     Outcome outcome = typed.compute(of(values), session);
