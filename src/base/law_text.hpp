@@ -5,7 +5,8 @@ namespace fiberfate {
 
 /// What sources call the thesis, "thesis equation 5.7".
 inline constexpr const char* thesis_title =
-    "Evolution of Fiber Microstructure During Polymer Processing, PhD thesis, University of Wisconsin-Madison";
+    "Evolution of Fiber Microstructure During Polymer Processing, PhD thesis, University of "
+    "Wisconsin-Madison";
 
 /// Describes a law in words. Plain text, because kernels include the files of laws.
 struct LawText {

@@ -34,26 +34,14 @@ std::size_t reach_of(const ShellMesh& mesh, std::span<const Gate> gates) {
   return reach;
 }
 
-double cut_off_share(const ShellMesh& mesh) {
-  std::vector<double> weights(mesh.edges().size(), 0);
-  for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
-    for (std::size_t k = 0; k < 3; ++k) weights[mesh.edges_of(t)[k]] += mesh.half_cotangents(t)[k];
-  double all = 0, negative = 0;
-  for (const double weight : weights) {
-    all += std::abs(weight);
-    negative += std::max(-weight, 0.0);
-  }
-  return negative / all;
-}
-
 }  // namespace
 
 double MeshQuality::pressure_error() const {
-  return 0.3 / std::pow(static_cast<double>(reach), 1.5) + 2 * cut_off;
+  return 0.3 / std::pow(static_cast<double>(reach), 1.5) + cut_off;
 }
 
 MeshQuality quality_of(const ShellMesh& mesh, std::span<const Gate> gates) {
-  return {reach_of(mesh, gates), cut_off_share(mesh)};
+  return {reach_of(mesh, gates), mesh.cut_off()};
 }
 
 void check_quality(const ShellMesh& mesh, std::span<const Gate> gates, std::vector<InputProblem>& problems) {
@@ -70,7 +58,7 @@ void check_quality(const ShellMesh& mesh, std::span<const Gate> gates, std::vect
         {"", 0, 0, "mesh", "",
          fmt::format("{:.0f} % of what leads the flow lies between obtuse triangles and is lost: "
                      "pressures would be wrong by some {:.0f} %",
-                     100 * quality.cut_off, 200 * quality.cut_off),
+                     100 * quality.cut_off, 100 * quality.cut_off),
          "make a Delaunay mesh"});
 }
 

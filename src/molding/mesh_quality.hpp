@@ -16,18 +16,20 @@ struct MeshQuality {
   /// the longest way of the melt.
   std::size_t reach = 0;
   /// Share of the weights cot + cot of all edges, by size, that is negative: such edges lie between obtuse
-  /// triangles that ShellMesh could not turn into others, and conduct nothing.
+  /// triangles that ShellMesh could not turn into others, and conduct nothing; the edges around them make up
+  /// for it along walls and folds, not across.
   double cut_off = 0;
 
   /// By how much the pressure is wrong, rms over the filling and of the largest: 0.3/reach^1.5 and
-  /// twice what is cut off, as strips of 2 to 40 cells and of sheared triangles show (tests/physics/molding).
+  /// what is cut off, as strips of 2 to 40 cells and of zigzag rows show (tests/physics/molding); with walls
+  /// of obtuse triangles it is a tenth of that to 1.5 times as much.
   [[nodiscard]] double pressure_error() const;
 };
 
 [[nodiscard]] MeshQuality quality_of(const ShellMesh& mesh, std::span<const Gate> gates);
 
 /// Appends what makes a mesh useless: fewer than four edges from the gates to the farthest node, or a
-/// twentieth and more of its weights cut off, which make pressures wrong by some 4 and 10 %.
+/// twentieth and more of its weights cut off, which make pressures wrong by some 4 and 5 %.
 void check_quality(const ShellMesh& mesh, std::span<const Gate> gates, std::vector<InputProblem>& problems);
 
 }  // namespace fiberfate

@@ -51,6 +51,11 @@ ShellMesh::ShellMesh(Shell shell) : shell_(std::move(shell)) {
   flow_ = flow_triangles(shell_);
   measure_triangles();
   link_edges();
+  cut_off_ = negative_share();
+  // What is lessened may leave a neighbour's edge with too little in turn.
+  constexpr int most_passes = 20;
+  for (int pass = 0; pass < most_passes && mend_negative_weights(); ++pass) {
+  }
   orient_nodes();
   link_neighbours();
 }
@@ -111,6 +116,48 @@ void ShellMesh::link_edges() {
     if (end - begin == 1) on_boundary_[at(sides[begin].low)] = on_boundary_[at(sides[begin].high)] = 1;
     edges_.push_back({sides[begin].low, sides[begin].high});
   }
+}
+
+std::vector<double> ShellMesh::edge_weights() const {
+  std::vector<double> weights(edges_.size(), 0);
+  for (std::size_t t = 0; t < triangle_count(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) weights[at(triangle_edges_[t][k])] += half_cotangents_[t][k];
+  return weights;
+}
+
+double ShellMesh::negative_share() const {
+  double all = 0, negative = 0;
+  for (const double weight : edge_weights()) {
+    all += std::abs(weight);
+    negative += std::max(-weight, 0.0);
+  }
+  return negative / all;
+}
+
+/// Linear elements resist flow along an edge of length L, under a gradient of one, with sum(w l^2) = A over
+/// the edges of its triangles, l their lengths along it and A the area. Without a weight w < 0 of the edge
+/// itself the others give A - w L^2.
+bool ShellMesh::mend_negative_weights() {
+  const std::vector<double> weights = edge_weights();
+  std::vector<double> areas(edges_.size(), 0);
+  for (std::size_t t = 0; t < triangle_count(); ++t) {
+    const auto& [a, b, c] = flow_.corners[t];
+    const Vec3& x = shell_.nodes[at(a)];
+    const double area = 0.5 * (shell_.nodes[at(b)] - x).cross(shell_.nodes[at(c)] - x).norm();
+    for (const Index edge : triangle_edges_[t]) areas[at(edge)] += area;
+  }
+  bool mended = false;
+  for (std::size_t t = 0; t < triangle_count(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t e = at(triangle_edges_[t][k]);
+      if (!(weights[e] < 0)) continue;
+      const double squared =
+          (shell_.nodes[at(edges_[e].second)] - shell_.nodes[at(edges_[e].first)]).squaredNorm();
+      for (double& weight : half_cotangents_[t]) weight *= areas[e] / (areas[e] - weights[e] * squared);
+      half_cotangents_[t][k] = 0;
+      mended = true;
+    }
+  return mended;
 }
 
 void ShellMesh::orient_nodes() {

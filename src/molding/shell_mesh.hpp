@@ -55,10 +55,15 @@ class ShellMesh {
     return triangle_edges_[triangle];
   }
   /// Gives half the cotangents of a triangle's angles: the weights of its edges in the stiffness of linear
-  /// elements.
+  /// elements. An edge at which they sum up to less than nothing has none (`cut_off`); the others of its
+  /// triangles are lessened so that flow along that edge, as along a wall, meets the same resistance as
+  /// before.
   [[nodiscard]] const std::array<double, 3>& half_cotangents(std::size_t triangle) const {
     return half_cotangents_[triangle];
   }
+  /// Share of the weights of all edges, by size, that was negative: edges of obtuse triangles at walls and
+  /// folds, which could not be turned into others.
+  [[nodiscard]] double cut_off() const { return cut_off_; }
   [[nodiscard]] std::span<const ShellNeighbour> neighbours(std::size_t node) const {
     return std::span(neighbours_)
         .subspan(neighbour_begin_[node], neighbour_begin_[node + 1] - neighbour_begin_[node]);
@@ -80,6 +85,9 @@ class ShellMesh {
  private:
   void measure_triangles();
   void link_edges();
+  [[nodiscard]] std::vector<double> edge_weights() const;
+  [[nodiscard]] double negative_share() const;
+  bool mend_negative_weights();
   void orient_nodes();
   void link_neighbours();
 
@@ -93,7 +101,7 @@ class ShellMesh {
   std::vector<Mat3> frames_;
   std::vector<std::size_t> neighbour_begin_;
   std::vector<ShellNeighbour> neighbours_;
-  double total_volume_ = 0, total_area_ = 0;
+  double total_volume_ = 0, total_area_ = 0, cut_off_ = 0;
 };
 
 }  // namespace fiberfate

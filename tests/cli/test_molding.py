@@ -648,9 +648,9 @@ def test_a_mesh_of_four_triangles_is_refused(tmp_path):
 def test_coarse_meshes_are_told_what_they_cost(tmp_path):
     coarse = run("check", CASES / "30_plaque" / "case.toml", "--set", "part.mesh_size=36 mm").stderr
     assert "on its longest way: pressures are wrong by about 1.1 %: make a finer mesh" in coarse
-    # One row of flat triangles whose obtuse corners face the rims: the strip takes 13 % less pressure (rms over the largest).
+    # One row of flat triangles whose obtuse corners face the rims: the strip takes 2.6 % more pressure than 12 MPa.
     cut_off = run("check", CASES / "35_strip" / "case.toml", "--set", "part.mesh_size=26 mm").stderr
-    assert re.search(r"4\.9 % of what leads the flow .* is lost: pressures are wrong by about 1[01]\.\d %", cut_off)
+    assert re.search(r"4\.9 % of what leads the flow .* is lost: pressures are wrong by about 6\.\d %", cut_off)
     assert "longest way" not in run("check", CASES / "30_plaque" / "case.toml").stderr
 
 
