@@ -72,6 +72,10 @@ struct Filling::Parts {
   void carry();
   void sweep(bool heated);
   void conclude();
+  void make_step();
+  void settle();
+  void show_at_gates(const std::vector<GateState>& shown);
+  [[nodiscard]] bool is_settling() const { return settling(mesh, state); }
   [[nodiscard]] Machine machine() const { return {params, mesh, gates}; }
   [[nodiscard]] MeltMotion motion() const { return {layers, step, field, stretching}; }
   [[nodiscard]] double fraction() const { return state.injected_volume / mesh.total_volume(); }
@@ -235,6 +239,46 @@ void Filling::Parts::conclude() {
   follow_gates();
 }
 
+/// One step of the machine. The few places that are left for the last melt would ask for more and more
+/// pressure, on any mesh: in the step that brings it in, pressures stay those of the step before.
+void Filling::Parts::make_step() {
+  const double pressure_at_sprue = state.sprue_pressure;
+  std::vector<double> pressure = state.pressure;
+  move_front();
+  carry();
+  conclude();
+  if (!is_settling()) return;
+  state.pressure = std::move(pressure);
+  state.sprue_pressure = pressure_at_sprue;
+  show_at_gates(state.gates);
+}
+
+/// Shows the rates of gates, and at those that are open the pressure of the sprue less what their runners
+/// take.
+void Filling::Parts::show_at_gates(const std::vector<GateState>& shown) {
+  for (std::size_t g = 0; g < state.gates.size(); ++g) {
+    GateState& gate = state.gates[g];
+    gate.rate = shown[g].rate;
+    gate.pressure =
+        gate.is_open() ? state.sprue_pressure - params.gates[g].resistance * gate.rate : shown[g].pressure;
+  }
+}
+
+/// Moves melt that has come in on to the last free places. The machine has no part in that: what it shows
+/// stays, the time among it.
+void Filling::Parts::settle() {
+  const FillingState shown = state;
+  move_front();
+  carry();
+  conclude();
+  state.time = shown.time;
+  state.pressure = shown.pressure;
+  state.sprue_pressure = shown.sprue_pressure;
+  state.flow_rate = shown.flow_rate;
+  show_at_gates(shown.gates);
+  for (double& time : state.fill_time) time = time > state.time ? state.time : time;
+}
+
 Filling::Filling(ShellMesh mesh, FillingParams params)
     : parts_(std::make_unique<Parts>(std::move(mesh), std::move(params))) {
   parts_->start();
@@ -260,9 +304,12 @@ void Filling::advance() {
   if (p.open_gates.empty() && !std::isfinite(p.gates.next_time(p.state))) {
     p.state.stop_reason = FillingEnd::short_shot;
   } else {
-    p.move_front();
-    p.carry();
-    p.conclude();
+    p.make_step();
+    while (!finished() && p.is_settling()) {
+      p.gates.update(p.state);
+      p.follow_gates();
+      p.settle();
+    }
   }
   if (finished()) p.state.events.push_back({p.state.time, p.fraction(), FillingEventKind::ended, -1});
 }

@@ -26,11 +26,6 @@ double fraction_of(const ShellMesh& mesh, const FillingState& state) {
   return state.injected_volume / mesh.total_volume();
 }
 
-/// The volume of the cavity has come in; what some nodes have too much has yet to find the last free places.
-bool settling(const ShellMesh& mesh, const FillingState& state) {
-  return fraction_of(mesh, state) >= 1 - missing_share;
-}
-
 double total_excess(const FillingState& state) {
   double sum = 0;
   for (const double volume : state.excess) sum += std::max(volume, 0.0);
@@ -109,6 +104,10 @@ FillingEnd end_of_standing_melt(const ShellMesh& mesh, const FillingState& state
 }
 
 }  // namespace
+
+bool settling(const ShellMesh& mesh, const FillingState& state) {
+  return fraction_of(mesh, state) >= 1 - missing_share;
+}
 
 Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state) {
   const MoldingProcess& process = params.process;

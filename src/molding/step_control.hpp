@@ -20,6 +20,10 @@ struct Machine {
   const GateControl& gates;
 };
 
+/// Whether the volume of the cavity has come in: what some nodes have too much has yet to find the last free
+/// places.
+[[nodiscard]] bool settling(const ShellMesh& mesh, const FillingState& state);
+
 /// What the machine wants: the profile's rate, below the pressure that it may have.
 [[nodiscard]] Drive drive_of(const FillingParams& params, const ShellMesh& mesh, const FillingState& state);
 

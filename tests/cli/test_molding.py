@@ -365,8 +365,7 @@ places = [["left", "0 mm", "0 mm", "0 mm", "20 mm"], ["right", "200 mm", "0 mm",
                ("sprue_pressure_Pa", "flow_rate_m3_per_s", "left_pressure_Pa", "left_rate_m3_per_s", "right_pressure_Pa", "right_rate_m3_per_s")}
     assert columns["left_rate_m3_per_s"][0] == pytest.approx(32 * columns["right_rate_m3_per_s"][0], rel=1e-9)
     for row, rate in enumerate(columns["flow_rate_m3_per_s"]):
-        if rate == 0:  # all melt is in
-            continue
+        assert rate > 0
         for gate, resistance in (("left", 1e12), ("right", 3.2e13)):
             runner = columns["sprue_pressure_Pa"][row] - columns[f"{gate}_pressure_Pa"][row]
             assert runner == pytest.approx(resistance * columns[f"{gate}_rate_m3_per_s"][row], rel=1e-6), row
@@ -378,10 +377,9 @@ def test_the_greatest_pressure_of_a_disc_is_that_at_its_gate(tmp_path):
     scale = 6 * 100 * 2e-5 / (math.pi * 0.002**3)
     exact = [scale * math.log(max(1, 0.1 * math.sqrt(share) / 0.005)) for share in filled]
     # The gate is about one cell of 4 mm: its neighbours are filled by 2 %. Half a cell at the rim is 0.7 % of the logarithm.
-    errors = [abs(found - wanted) for found, wanted, share in zip(pressure, exact, filled) if 0.02 < share < 0.998]
+    errors = [abs(found - wanted) for found, wanted, share in zip(pressure, exact, filled) if share > 0.02]
     assert max(errors) < 0.007 * exact[-1]
-    # The set rate goes through the few nodes of the rim that fill last, 0.05 % of the volume: that costs 7 %.
-    assert exact[-1] < summary(tmp_path / "r")["greatest_sprue_pressure_Pa"] < 1.1 * exact[-1]
+    assert summary(tmp_path / "r")["greatest_sprue_pressure_Pa"] == pytest.approx(exact[-1], rel=0.007)
 
 
 def test_slow_melt_without_a_pressure_limit_freezes_off(tmp_path):
