@@ -7,14 +7,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <utility>
 
 #include "base/error.hpp"
+#include "io/atomic_file.hpp"
 #include "io/csv_table.hpp"
 #include "io/prism_file.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "io/vtp_file.hpp"
 #include "keys/case_file.hpp"
 #include "results/fiber_frame.hpp"
+#include "results/folder_record.hpp"
 #include "results/result_folder.hpp"
 #include "studies/molding/run.hpp"
 
@@ -88,6 +92,46 @@ void export_csv(const VtkhdfReader& reader, const std::string& out) {
   write_csv(out + "/frames.csv", frames);
 }
 
+/// Moves what was exported to where it is wanted; what the program did not make there stays, and refuses it.
+void publish(const std::string& staged, const std::string& out) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(staged)) names.push_back(entry.path().filename().string());
+  const std::set<std::string> known = recorded_files(out);
+  for (const std::string& name : names)
+    if (fs::exists(out + '/' + name) && !known.contains(name))
+      throw InputError(
+          fmt::format("{}/{} is there already, and no record in its folder says that fiberfate made it", out,
+                      name),
+          "name another folder with --out, or move that file away");
+  for (const std::string& name : names) {
+    record_file(out, name);
+    rename_file(staged + '/' + name, out + '/' + name);
+  }
+}
+
+/// A folder that is gone with all it holds when its owner is.
+class TemporaryFolder {
+ public:
+  /// Makes a folder in a parent, which is gone again with it where it was made too and nothing else came
+  /// there.
+  TemporaryFolder(const std::string& parent, const std::string& name)
+      : path_(parent + '/' + name), made_parent_(std::filesystem::exists(parent) ? "" : parent) {
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+    if (!made_parent_.empty()) std::filesystem::remove(made_parent_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  std::string path_, made_parent_;
+};
+
 }  // namespace
 
 int run_export(const ExportOptions& options) {
@@ -107,14 +151,19 @@ int run_export(const ExportOptions& options) {
         molding != nullptr ? "take vtp, abaqus or calculix; the tables of this study are CSV already"
                            : "take vtp or csv; abaqus and calculix are for filled parts");
   const std::string out = options.out.empty() ? folder.file("export_" + options.format) : options.out;
-  std::filesystem::create_directories(out);
+  const TemporaryFolder staged(out, ".fiberfate-export");
+  std::string made;
   if (structure) {
     const auto solver = options.format == "abaqus" ? StructuralSolver::abaqus : StructuralSolver::calculix;
-    fmt::print("{}\n", export_structure(*molding, folder, out, solver));
-    return 0;
+    export_structure(*molding, folder, staged.path(), solver);
+    made = out + "/part.inp";
+  } else {
+    options.format == "vtp" ? export_vtk(folder, staged.path())
+                            : export_csv(VtkhdfReader(folder.frames()), staged.path());
+    made = fmt::format("{} frames in {}", VtkhdfReader(folder.frames()).times().size(), out);
   }
-  options.format == "vtp" ? export_vtk(folder, out) : export_csv(VtkhdfReader(folder.frames()), out);
-  fmt::print("{} frames in {}\n", VtkhdfReader(folder.frames()).times().size(), out);
+  publish(staged.path(), out);
+  fmt::print("{}\n", made);
   return 0;
 }
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -77,7 +78,7 @@ struct Commands {
   ImportOptions import_case;
   ExplainOptions explain;
   CiteOptions cite;
-  std::string run_until, resume_until;
+  std::optional<std::string> run_until, resume_until;
   int status = 0;
 };
 
@@ -121,7 +122,7 @@ double time_to_stop(const std::string& text) {
       {{"command line", 0, 0, "--until", text, "is not a time after the start", "give more than 0 s"}});
 }
 
-void add_limits(CLI::App& command, RunOptions& options, std::string& until) {
+void add_limits(CLI::App& command, RunOptions& options, std::optional<std::string>& until) {
   command.add_option("--threads", options.session.threads, "Threads, instead of run.threads")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
@@ -191,7 +192,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
       ->allow_extra_args(false);
   add_overwrite(*run, commands.run.existing, "a result");
   run->callback([&commands] {
-    if (!commands.run_until.empty()) commands.run.session.until = time_to_stop(commands.run_until);
+    if (commands.run_until) commands.run.session.until = time_to_stop(*commands.run_until);
     commands.status = run_run(commands.run);
   });
 
@@ -201,7 +202,7 @@ void add_run_commands(CLI::App& app, Commands& commands) {
   resume->add_option("dir", commands.resume.out, "The result folder")->required()->type_name("DIR");
   add_limits(*resume, commands.resume, commands.resume_until);
   resume->callback([&commands] {
-    if (!commands.resume_until.empty()) commands.resume.session.until = time_to_stop(commands.resume_until);
+    if (commands.resume_until) commands.resume.session.until = time_to_stop(*commands.resume_until);
     commands.status = run_resume(commands.resume);
   });
 }

@@ -20,6 +20,7 @@ namespace {
 
 /// Whether a file holds a document of ours, as every report does.
 bool is_report(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return text.find("id=\"fiberfate-document\"") != std::string::npos;

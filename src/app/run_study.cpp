@@ -73,9 +73,12 @@ Ending compute_into(OwnedFolder& folder, const LoadedCase& loaded, Session& sess
     if (ending.stands) folder.keep();
     if (end.reason == StopReason::done) folder.end();
     return ending;
-  } catch (const SimulationFailure&) {
-    folder.keep();
-    throw;
+  } catch (const SimulationFailure& failure) {
+    const std::string path = folder.folder().path(), now_in = folder.set_aside();
+    if (now_in == path) throw;
+    throw SimulationFailure(fmt::format("{}; what it made is in {}, and {} holds the earlier result again",
+                                        failure.what(), now_in, path),
+                            failure.place());
   } catch (const StorageError&) {
     if (session.recorder().has_checkpoint() || !folder.replaces()) folder.stand();
     throw;

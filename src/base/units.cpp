@@ -134,9 +134,18 @@ bool are_reciprocal(const Dimension& a, const Dimension& b) {
 
 /// States what a letter means to UDUNITS where people mean a temperature by it.
 std::string temperature_remark(const std::string& unit, const std::string& si_unit) {
-  if (si_unit != "K") return "";
-  if (unit == "C") return "; 'C' is coulomb: write 'degC' for degrees Celsius";
-  if (unit == "F") return "; 'F' is farad: write 'degF' for degrees Fahrenheit";
+  const auto has_symbol = [](const std::string& text, char symbol) {
+    const auto is_letter = [&text](std::size_t i) {
+      return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == symbol && !(i > 0 && is_letter(i - 1)) && !is_letter(i + 1)) return true;
+    return false;
+  };
+  if (!has_symbol(si_unit, 'K')) return "";
+  if (has_symbol(unit, 'C'))
+    return "; 'C' is coulomb: write 'degC' for degrees Celsius, 'K' for their differences";
+  if (has_symbol(unit, 'F')) return "; 'F' is farad: write 'degF' for degrees Fahrenheit";
   return "";
 }
 

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/error.hpp"
 #include "keys/orientation_value.hpp"
 #include "keys/rows_value.hpp"
 
 namespace fiberfate {
 namespace {
+
+constexpr std::size_t most_repeated = 500;  ///< tables of one name: more are no case of anybody
 
 using Complaints = std::vector<Complaint>;
 
@@ -117,9 +120,8 @@ std::string Key::leaf() const {
 }
 
 const Key* KeyTable::find(const std::string& key) const {
-  const auto found =
-      std::find_if(keys_.begin(), keys_.end(), [&key](const Key& one) { return one.name == key; });
-  return found == keys_.end() ? nullptr : &*found;
+  const auto found = places_.find(key);
+  return found == places_.end() ? nullptr : &keys_[found->second];
 }
 
 bool KeyTable::is_repeated(const std::string& name) const {
@@ -138,6 +140,9 @@ std::size_t KeyTable::count_repeated(const std::string& name, std::size_t presen
   if (document_ == nullptr) return present;
   std::size_t count = 0;
   while (document_->has_table(repeated_name(name, count))) ++count;
+  if (count > most_repeated)
+    throw InputError(fmt::format("[[{}]] stands {} times", name, count),
+                     fmt::format("give it at most {} times", most_repeated));
   return count;
 }
 
@@ -146,6 +151,7 @@ void KeyTable::section(std::string name, std::string text) {
 }
 
 void KeyTable::add(Key key) {
+  places_.emplace(key.name, keys_.size());
   keys_.push_back(std::move(key));
 }
 

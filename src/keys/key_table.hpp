@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -176,6 +177,7 @@ class KeyTable {
   const TomlDocument* document_ = nullptr;
   Repeats repeats_ = Repeats::of_case;
   std::vector<std::string> repeated_;
+  std::unordered_map<std::string, std::size_t> places_;  ///< of keys, by name
   std::vector<Section> sections_;
   std::vector<Key> keys_;
 };

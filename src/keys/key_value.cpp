@@ -72,7 +72,8 @@ Complaint out_of_range(double number, const TomlValue& value, const Units& units
   const bool bare = !std::holds_alternative<std::string>(value.data);
   if (bare && units.si != "1")
     return {"out of range", remedy + fmt::format(" (a number without unit is in {})", units.si)};
-  const bool is_percentage = units.si == "1" && range.high == 1 && number > 1 && number <= 100;
+  const bool is_percentage =
+      units.si == "1" && range.high > 0.5 && range.high <= 1 && number > 1 && number <= 100;
   if (bare && is_percentage)
     return {fmt::format("out of range; it means {:g} %", 100 * number),
             fmt::format("{}, or \"{:g} %\"", remedy, number)};

@@ -39,7 +39,9 @@ RecordText parse(const std::string& text) {
     const std::size_t space = line.find(' ');
     if (space == std::string::npos) continue;
     const std::string word = line.substr(0, space), rest = line.substr(space + 1);
-    if (word == "file") parsed.files.insert(rest);
+    // A name that leads out of the folder is none that the program writes.
+    if (word == "file" && rest.find('/') == std::string::npos && rest != "." && rest != "..")
+      parsed.files.insert(rest);
     if (word == "run") {
       parsed.holder = rest;
       parsed.ended = false;

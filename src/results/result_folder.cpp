@@ -24,6 +24,7 @@ constexpr std::array names_of_results = {
     "histogram.csv",      "modulus.csv",    "curves.csv",  "bootstrap.csv", "histogram_compared.csv",
     "distribution.csv",   "directions.csv", "fit.csv",     "profile.csv",   "sweep.csv",
     "places.csv",         "profiles.csv",   "optimum.csv", "layers.vtkhdf", "properties.vtkhdf",
+    "density.csv",
 };
 /// What writers add to the name of a file for a moment.
 constexpr std::array moment_suffixes = {"", ".new", ".next", ".kept"};
@@ -219,6 +220,22 @@ void OwnedFolder::keep() {
   stands_ = true;
   std::error_code ignored;  // a file that cannot be removed harms nobody where it is
   fs::remove_all(folder_.file(replaced_folder), ignored);
+}
+
+std::string OwnedFolder::set_aside() {
+  if (!replaces()) {
+    keep();
+    return folder_.path();
+  }
+  std::string aside = folder_.path() + ".failed";
+  for (int number = 2; exists(aside); ++number) aside = fmt::format("{}.failed-{}", folder_.path(), number);
+  fs::create_directories(aside);
+  for (const std::string& name : record_->files())
+    if (exists(folder_.file(name))) rename_file(folder_.file(name), aside + '/' + name);
+  replace_file(aside + '/' + folder_record_name, read_file(folder_.file(folder_record_name)));
+  undo();
+  stands_ = true;
+  return aside;
 }
 
 void OwnedFolder::undo() noexcept {

@@ -63,6 +63,10 @@ class OwnedFolder {
   void stand() { stands_ = true; }
   /// Lets the run's files stand, and removes those of the result that it replaces.
   void keep();
+  /// Lets the files of a run that failed stand: here, or, where they would replace an earlier result, in a
+  /// new folder beside it, "result.failed". Returns the folder in which they are. Nothing may be made
+  /// afterwards.
+  std::string set_aside();
   /// Tells the next process that the outcome of this one stands here in full.
   void end() { record_->end(); }
   /// Whether the process before this one left its outcome in full.

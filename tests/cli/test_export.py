@@ -139,6 +139,21 @@ def test_layers_and_properties_are_exported_with_the_frames(tmp_path):
             assert numpy.array_equal(arrays[name], numpy.reshape(values, arrays[name].shape), equal_nan=True), name
 
 
+@pytest.mark.parametrize("name, kind", [("frames.csv", "csv"), ("fibers.pvd", "vtp")])
+def test_exports_replace_only_what_was_exported(result, tmp_path, name, kind):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / name).write_text("mine", encoding="utf-8")
+    refused = run("export", result, "--format", kind, "--out", out, expect=2)
+    assert f"{out / name} is there already, and no record in its folder says that fiberfate made it" in refused.stderr
+    assert [(file.name, file.read_text(encoding="utf-8")) for file in out.iterdir()] == [(name, "mine")]
+    (out / name).unlink()
+    run("export", result, "--format", kind, "--out", out)
+    first = (out / name).read_bytes()
+    run("export", result, "--format", kind, "--out", out)
+    assert (out / name).read_bytes() == first
+
+
 def test_csv_holds_every_node_and_can_be_read_again(result, tmp_path):
     run("export", result, "--format", "csv", "--out", tmp_path / "csv")
     assert column(tmp_path / "csv", "time_s", "frames.csv")[-1] == pytest.approx(0.02)

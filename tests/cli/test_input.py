@@ -389,7 +389,9 @@ def test_what_is_no_file_is_refused_at_once(tmp_path):
     ('rate = "10 1/s"', 'rate = "30 rpm"', "'rpm' counts turns or angles"),
     ('length = "0.25 mm"', 'length = "0,25 mm"', "decimal comma"),
     ('length = "0.25 mm"', 'length = "1 000 um"', "two numbers"),
-    ("count = 10", "weight_fraction = 20", "weight_fraction = 20: out of range; it means 2000 %")])
+    ("count = 10", "volume_fraction = 20", "volume_fraction = 20: out of range; it means 2000 %"),
+    ("count = 10", "weight_fraction = 20", "weight_fraction = 20: out of range; it means 2000 %"),
+    ("[run]", '[breakage]\ncheck_interval = "1e-300 s"\n[run]', "makes 1e+300 checks in run.duration")])
 def test_numbers_are_read_as_they_are_meant_or_not_at_all(tmp_path, old, new, words):
     assert any(words in line for line in refuse(tmp_path, edit(old, new)))
 
@@ -447,6 +449,17 @@ def test_new_copies_the_gallery_from_inside_the_program(tmp_path):
     assert (tmp_path / "05_couette_30wt" / "README.md").exists()
 
 
+def test_tables_that_are_repeated_without_end_are_refused_at_once(tmp_path):
+    (tmp_path / "case.toml").write_text(CASE + '[[fibers.more_kinds]]\nlength = "1 mm"\n' * 5000, encoding="utf-8")
+    done = call("check", "case.toml", folder=tmp_path, expect=2)
+    assert done.stderr == "[[fibers.more_kinds]] stands 5000 times: give it at most 500 times\n"
+
+
+def test_the_time_to_stop_is_not_empty(tmp_path):
+    (tmp_path / "case.toml").write_text(CASE, encoding="utf-8")
+    assert "--until: ''" in call("run", "case.toml", "--until", "", folder=tmp_path, expect=2).stderr
+
+
 def test_new_copies_a_case_whole(tmp_path):
     call("new", "04_couette_43wt", "mine", folder=tmp_path, expect=0)
     case, copy = CASES / "04_couette_43wt", tmp_path / "mine"
@@ -456,8 +469,7 @@ def test_new_copies_a_case_whole(tmp_path):
         assert (copy / name).read_bytes() == (case / name).read_bytes(), name
     assert "](../" not in (copy / "README.md").read_text(encoding="utf-8")
     assert os.access(copy / "study.py", os.X_OK)
-    help_text = subprocess.run([sys.executable, copy / "study.py", "--help"], capture_output=True, text=True, timeout=60, check=True).stdout
-    assert "--tables" in help_text
+    subprocess.run([sys.executable, "-c", "import fiber_frames, study_runs"], cwd=copy, timeout=60, check=True)
 
 
 def gallery():

@@ -69,6 +69,35 @@ def test_overwriting_keeps_the_old_result_until_there_is_a_new_one(tmp_path):
     assert (tmp_path / "r" / "notes.txt").read_text(encoding="utf-8") == "of a user\n"
 
 
+def test_a_run_that_fails_leaves_the_earlier_result_and_its_own_state_beside_it(tmp_path):
+    case = write_case(tmp_path)
+    run("run", case, "--out", tmp_path / "r")
+    before = contents(tmp_path / "r")
+    hopeless = ["--set", "step.tolerance=1e-12", "--set", "step.minimum=1 us"]
+    for name in ("r.failed", "r.failed-2"):
+        failed = run("run", case, "--out", tmp_path / "r", "--overwrite", *hopeless, expect=3)
+        assert f"what it made is in {tmp_path / name}, and {tmp_path / 'r'} holds the earlier result again" in failed.stderr
+        assert {"failure.h5", "log.txt", "case.resolved.toml", ".fiberfate"} <= set(os.listdir(tmp_path / name))
+        assert contents(tmp_path / "r") == before
+    run("resume", tmp_path / "r", "--until", "22 ms")
+
+
+def test_a_record_that_leads_out_of_its_folder_moves_nothing(tmp_path):
+    case = write_case(tmp_path)
+    run("run", case, "--out", tmp_path / "r", "--steps", 1)
+    (tmp_path / "mine.txt").write_text("mine", encoding="utf-8")
+    with open(tmp_path / "r" / ".fiberfate", "a", encoding="utf-8") as record:
+        record.write("file ../mine.txt\nfile ..\nend\n")
+    run("run", case, "--out", tmp_path / "r", "--steps", 1, "--overwrite")
+    assert (tmp_path / "mine.txt").read_text(encoding="utf-8") == "mine"
+
+
+def test_a_report_does_not_wait_for_a_pipe(tmp_path):
+    run("run", write_case(tmp_path), "--out", tmp_path / "r", "--steps", 1)
+    os.mkfifo(tmp_path / "pipe")
+    assert "fiberfate did not make it" in run("report", tmp_path / "r", "--out", tmp_path / "pipe", expect=2).stderr
+
+
 def test_a_link_to_a_folder_stays_a_link(tmp_path):
     case = write_case(tmp_path)
     (tmp_path / "elsewhere").mkdir()

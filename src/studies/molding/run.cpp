@@ -198,8 +198,8 @@ Outcome compute_molding(const MoldingCase& values, Session& session) {
   return session.continues() ? continue_filling(values, session) : begin_filling(values, session);
 }
 
-std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
-                             StructuralSolver solver) {
+void export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
+                      StructuralSolver solver) {
   if (!has_properties(values))
     throw InputError("this result has no stiffness: the case follows no orientation or gives no lengths",
                      "choose a law in [orientation] and give fibers.length");
@@ -207,9 +207,8 @@ std::string export_structure(const MoldingCase& values, const ResultFolder& fold
   const MoldingSetup setup = molding_setup(values, from.shell);
   const Filling filling = filling_from(std::move(from), setup.params);
   const MoldingFields fields(values, setup, filling);
-  const std::string path = out + "/part.inp";
-  replace_file(path, structural_input(filling.mesh().shell(), plies(fields, solid_of(values)), solver));
-  return path;
+  replace_file(out + "/part.inp",
+               structural_input(filling.mesh().shell(), plies(fields, solid_of(values)), solver));
 }
 
 }  // namespace fiberfate

@@ -13,9 +13,9 @@ namespace fiberfate {
 [[nodiscard]] Outcome compute_molding(const MoldingCase& values, Session& session);
 /// Makes the report from the files of a result folder.
 ReportDocument report_molding(const MoldingCase& values, const ResultFolder& folder);
-/// Writes the part with its stiffness for a structural solver to `out`/part.inp and tells its path. Raises
-/// InputError when the case follows no orientation or lengths.
-std::string export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
-                             StructuralSolver solver);
+/// Writes the part with its stiffness for a structural solver to `out`/part.inp. Raises InputError when the
+/// case follows no orientation or lengths.
+void export_structure(const MoldingCase& values, const ResultFolder& folder, const std::string& out,
+                      StructuralSolver solver);
 
 }  // namespace fiberfate

@@ -44,8 +44,13 @@ void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
   }
 }
 
-/// Whether a law draws the radius at which a hinge breaks.
 void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
+  constexpr double most_checks = 1e9;  // more are a slip of the unit
+  const double interval = values.dynamics.breakage.check_interval, duration = values.run.duration;
+  if (interval > 0 && duration / interval > most_checks)
+    checker.error("breakage.check_interval",
+                  fmt::format("makes {:.3g} checks in {}", duration / interval, checker.cite("run.duration")),
+                  fmt::format("give at least {:.3g} s", duration / most_checks));
   const BreakageParameters& breakage = values.dynamics.breakage;
   if (!checker.is_sound("breakage.law")) return;
   warn_of_unread_constants("breakage.law", breakage_laws(), breakage.law, checker);
