@@ -164,8 +164,9 @@ fiberfate_status fiberfate_breakage_advance(const fiberfate_breakage_law* law, s
                                             const double* compressions, double duration, double* numbers) {
   return guarded([&] {
     const std::size_t bins = bins_of(law);
-    law->solver.advance(flows_of(n, shear_rates, viscosities, compressions), duration,
-                        rows_at(numbers, n, bins, "numbers"));
+    const std::span<double> rows = rows_at(numbers, n, bins, "numbers");
+    law->solver.advance(flows_of(n, shear_rates, viscosities, compressions), duration, rows);
+    require_numbers("numbers", rows, not_negative);
   });
 }
 
@@ -181,6 +182,8 @@ fiberfate_status fiberfate_mean_lengths(size_t n, const double* lengths, const d
     const std::span<const double> all = rows_at(lengths, n, 1, "lengths");
     const std::vector<double> ones(numbers == nullptr ? n : 0, 1.0);
     const MeanLengths means = mean_lengths(all, numbers == nullptr ? ones : std::span(numbers, n));
+    require_number("number_average", means.number_average, any_finite);
+    require_number("weight_average", means.weight_average, any_finite);
     *number_average = means.number_average;
     *weight_average = means.weight_average;
   });

@@ -77,7 +77,9 @@ void fiberfate_viscosity_destroy(fiberfate_viscosity_law* law) {
 fiberfate_status fiberfate_particle_number(double aspect_ratio, double volume_fraction, double* number) {
   return guarded([&] {
     require_pointer(number, "number");
-    *number = particle_number(aspect_ratio, volume_fraction);
+    const double found = particle_number(aspect_ratio, volume_fraction);
+    require_number("number", found, any_finite);
+    *number = found;
   });
 }
 

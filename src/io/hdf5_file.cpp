@@ -263,6 +263,7 @@ void Hdf5File::make_table(const std::string& name, const TableLayout& layout) {
     checked(H5Pset_shuffle(creation), action);
     checked(H5Pset_deflate(creation, deflate_level), action);
   }
+  checked(H5Pset_fletcher32(creation), action);
   const Hdf5Handle dataset(
       H5Dcreate2(id_, name.c_str(), type_of(layout.element), space, links, creation, H5P_DEFAULT), H5Dclose,
       action);

@@ -1,4 +1,5 @@
 """Calibration to other runs' results and to measured lists: what was put in comes out again."""
+import math
 from pathlib import Path
 
 import pytest
@@ -122,3 +123,51 @@ def test_means_have_no_histogram(tmp_path):
     write(tmp_path, "start.csv", START)
     done = run("check", write(tmp_path, "case.toml", case), expect=2)
     assert "fibers.form" in done.stderr and "no histogram" in done.stderr
+
+
+MEASURED = """study = "calibration"
+[law]
+name = "constant"
+k_f = "0.1 1/s"
+L_inf = "2 mm"
+[conditions]
+names = ["rheometer"]
+rates = ["20 1/s"]
+viscosities = ["270 Pa s"]
+lengths = ["6 mm"]
+[data]
+series = [["rheometer", "L_N", "lengths.csv"]]
+[fit]
+free = ["k_f", "L_inf"]
+"""
+
+
+def fit_of(folder, headings, factors, separator=","):
+    """Fits a decay from 6 to 1 mm whose table has the headings, in units of so many SI units."""
+    rows = [(time, 1e-3 + 5e-3 * math.exp(-0.04 * time), 1e-4) for time in range(0, 100, 10)]
+    lines = [separator.join(headings)]
+    lines += [separator.join(f"{value / factor:.9g}".replace(".", "," if separator == ";" else ".")
+                             for value, factor in zip(row, factors)) for row in rows]
+    (folder / "lengths.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    (folder / "case.toml").write_text(MEASURED, encoding="utf-8")
+    run("run", folder / "case.toml", "--out", folder / "r", "--overwrite")
+    return summary(folder / "r")
+
+
+def test_units_of_columns_are_read_from_their_headings(tmp_path):
+    plain = fit_of(tmp_path, ["time_s", "L_N_m", "L_N_m_sd"], [1, 1, 1])
+    assert plain["L_inf"] == pytest.approx(1e-3, rel=1e-6) and plain["k_f"] == pytest.approx(0.04, rel=1e-6)
+    for headings, factors, separator in ((["time_min", "L_N_mm", "L_N_sd_um"], [60, 1e-3, 1e-6], ","),
+                                         (["Time [min]", "L_N [mm]", "L_N_sd [mm]"], [60, 1e-3, 1e-3], ";"),
+                                         (["time (s)", "l_n (um)"], [1, 1e-6], ",")):
+        other = fit_of(tmp_path, headings, factors, separator)
+        assert other["L_inf"] == pytest.approx(plain["L_inf"], rel=1e-6), headings
+        assert other["k_f"] == pytest.approx(plain["k_f"], rel=1e-6), headings
+
+
+def test_a_column_that_is_missing_or_impossible_is_told(tmp_path):
+    with pytest.raises(AssertionError, match=r"no column is L_N in a unit of 'm': name one 'L_N_m' or 'L_N \[m\]'; its columns are 'time_s', 'length'"):
+        fit_of(tmp_path, ["time_s", "length"], [1, 1])
+    (tmp_path / "lengths.csv").write_text("time_s,L_N_m\n0,0.006\n5,-0.001\n", encoding="utf-8")
+    refused = run("run", tmp_path / "case.toml", "--out", tmp_path / "n", expect=2)
+    assert "-0.001 is no possible value of rheometer: L_N" in refused.stderr

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
@@ -53,9 +56,58 @@ double value_in(const std::string& text, const std::string& unit) {
   }
 }
 
+/// What a column's heading says: the quantity and its unit, of "L_N_mm", "L_N [mm]" or "L_N (mm)".
+struct Heading {
+  std::string quantity, unit;
+};
+Heading parts_of(const std::string& heading) {
+  if (std::string unit = unit_in_heading(heading); !unit.empty())
+    return {heading.substr(0, heading.find_last_not_of(" [(", heading.find_first_of("[(")) + 1),
+            std::move(unit)};
+  const std::size_t end = heading.rfind('_');
+  return end == std::string::npos ? Heading{heading, ""}
+                                  : Heading{heading.substr(0, end), heading.substr(end + 1)};
+}
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// Reads the numbers of a quantity in SI; nothing where no heading names it in a unit of this kind.
+std::optional<std::vector<double>> numbers_of(const DelimitedTable& table, const std::string& quantity,
+                                              const std::string& si_unit) {
+  for (std::size_t column = 0; column < table.columns(); ++column) {
+    const Heading heading = parts_of(table.headings()[column]);
+    if (lower(heading.quantity) != lower(quantity)) continue;
+    double factor = 1;
+    try {
+      factor = unit_factor(heading.unit, si_unit);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    std::vector<double> numbers = table.numbers(column);
+    for (double& number : numbers) number *= factor;
+    return numbers;
+  }
+  return std::nullopt;
+}
+
+/// Reads the numbers of a quantity in SI; raises InputError that lists the columns when there is none.
+std::vector<double> required_numbers(const DelimitedTable& table, const std::string& quantity,
+                                     const std::string& si_unit) {
+  if (std::optional<std::vector<double>> found = numbers_of(table, quantity, si_unit))
+    return *std::move(found);
+  throw InputError(
+      {{table.path(), 1, 1, "", "", fmt::format("no column is {} in a unit of '{}'", quantity, si_unit),
+        fmt::format("name one '{0}_{1}' or '{0} [{1}]'; its columns are {2}", quantity, si_unit,
+                    table.listed_headings())}});
+}
+
 void read_histogram(const DelimitedTable& table, const std::string& time, MeasuredSeries& series) {
-  const std::vector<double> low = table.numbers(table.column_named("length_low_m"));
-  const std::vector<double> high = table.numbers(table.column_named("length_high_m"));
+  const std::vector<double> low = required_numbers(table, "length_low", "m");
+  const std::vector<double> high = required_numbers(table, "length_high", "m");
   for (std::size_t i = 0; i < low.size(); ++i) {
     if (!(low[i] < high[i]) || (i > 0 && low[i] != high[i - 1]))
       throw InputError("the bins of a histogram do not join",
@@ -68,18 +120,37 @@ void read_histogram(const DelimitedTable& table, const std::string& time, Measur
 
 void read_file(const std::vector<std::string>& row, const Quantity& quantity, MeasuredSeries& series) {
   const DelimitedTable table(row[2]);
-  series.values = table.numbers(table.column_named(quantity.column));
+  const bool has_unit =
+      quantity.observed == Observed::number_average || quantity.observed == Observed::weight_average;
+  series.values = has_unit ? required_numbers(table, quantity.name, quantity.unit)
+                           : table.numbers(table.column_named(quantity.column));
   if (quantity.observed == Observed::histogram) {
     if (row.size() < 4)
       throw InputError("a histogram has no time", "give rows [condition, \"histogram\", file, time]");
     read_histogram(table, row[3], series);
   } else {
-    series.times = table.numbers(table.column_named("time_s"));
+    series.times = required_numbers(table, "time", "s");
   }
   const std::string deviations = std::string(quantity.column) + "_sd";
-  if (table.has_column(deviations)) series.deviations = table.numbers(table.column_named(deviations));
+  if (table.has_column(deviations))
+    series.deviations = table.numbers(table.column_named(deviations));
+  else if (has_unit)
+    series.deviations =
+        numbers_of(table, std::string(quantity.name) + "_sd", quantity.unit).value_or(series.deviations);
   for (const double time : series.times)
     if (!(time >= 0)) throw InputError("a time is negative", "count times from the start of the condition");
+}
+
+/// Lengths and rate constants are positive, shares of a histogram not negative, components of A2 at most 1.
+void require_possible(const MeasuredSeries& series) {
+  const auto is_possible = [&series](double value) {
+    if (series.observed == Observed::orientation) return std::abs(value) <= 1;
+    return series.observed == Observed::histogram ? value >= 0 : value > 0;
+  };
+  for (const double value : series.values)
+    if (!is_possible(value))
+      throw InputError(fmt::format("{:g} is no possible value of {}", value, series.name),
+                       "leave out what could not be measured");
 }
 
 void fill_deviations(const CalibrationData& data, MeasuredSeries& series) {
@@ -115,6 +186,7 @@ MeasuredSeries read_series(const CalibrationCase& values, const std::vector<std:
   } else {
     read_file(row, quantity, series);
   }
+  require_possible(series);
   fill_deviations(values.data, series);
   return series;
 }

@@ -40,7 +40,8 @@ void describe_series(KeyTable& table, const std::string& name, CalibrationData& 
       table, name, data.series, 2,
       {.text = "Rows [condition, quantity, file]: a CSV file with a column time_s and one named after the "
                "quantity (as series.csv has them: L_N_m, L_W_m, a11 ...), and maybe one more with _sd behind "
-               "the name, its standard deviation. Quantities: L_N, L_W, a11 ... a23. Rows [condition, "
+               "the name, its standard deviation. Other units are read from headings such as L_N_mm, "
+               "\"L_N [mm]\", time_min. Quantities: L_N, L_W, a11 ... a23. Rows [condition, "
                "\"L_inf\" or \"k_f\", value] hold one value. Rows [condition, \"histogram\", file, time] "
                "take the columns length_low_m, length_high_m, number_share.",
        .need = Need::usual,

@@ -100,6 +100,8 @@ std::string LeftOut::text() const {
                      empty_lines + zero_lengths > 1 ? "are" : "is");
 }
 
+constexpr double most_fibers = 1e15;  // in a row: more would swallow the others in round-off
+
 LengthList read_lengths(const MeasuredLengthChoices& choices) {
   const DelimitedTable table = read_list(choices.file);
   const std::size_t column = length_column(table, choices);
@@ -117,7 +119,12 @@ LengthList read_lengths(const MeasuredLengthChoices& choices) {
       continue;
     }
     list.fibers.lengths.push_back(factor * lengths[row]);
-    if (!numbers.empty()) list.fibers.numbers.push_back(numbers[row]);
+    if (numbers.empty()) continue;
+    if (numbers[row] > most_fibers)
+      throw InputError({{choices.file, table.line_of(row), 1, "", "",
+                         fmt::format("a number of fibers is {:g}", numbers[row]),
+                         fmt::format("give at most {:g}", most_fibers)}});
+    list.fibers.numbers.push_back(numbers[row]);
   }
   if (list.fibers.lengths.empty())
     throw InputError(
