@@ -114,6 +114,20 @@ LengthStart length_start(const LengthChoices& fibers) {
   return start;
 }
 
+std::string remark_on_bins(const LengthChoices& fibers, double unbreakable_length, double share) {
+  const LengthStart start = length_start(fibers);
+  const double longest = start.bins.largest_length > 0 ? start.bins.largest_length
+                                                       : *std::ranges::max_element(start.initial.lengths);
+  const double width = longest / static_cast<double>(start.bins.bins);
+  const double open = 0.5 * width / unbreakable_length;
+  if (!(open > share)) return {};
+  return fmt::format(
+      "fibers.bins = {}: bins of {:.3g} mm place the unbreakable length, {:.3g} mm, to {:.2g} %, and zeta to "
+      "{:.2g} %: "
+      "see what twice as many change",
+      fibers.bins, 1e3 * width, 1e3 * unbreakable_length, 100 * open, 400 * open);
+}
+
 void append_length_shares(CsvTable& table, const std::vector<double>& leading,
                           const LengthClasses& population, const std::vector<double>& edges) {
   LengthClasses by_length = population;

@@ -47,6 +47,11 @@ void validate_distribution(const std::vector<std::vector<double>>& rows, CaseChe
 /// Makes what the laws of length begin with.
 [[nodiscard]] LengthStart length_start(const LengthChoices& fibers);
 
+/// Tells how well bins place an unbreakable length, m, where that is worse than a share of it: half a bin.
+/// zeta goes with its fourth power.
+[[nodiscard]] std::string remark_on_bins(const LengthChoices& fibers, double unbreakable_length,
+                                         double share);
+
 /// Adds a row for each bin: what leads the row, the bin's edges, and its shares of the number and of the
 /// total length.
 void append_length_shares(CsvTable& table, const std::vector<double>& leading,

@@ -106,10 +106,15 @@ CsvTable series_of(const AttritionCase& values, const std::vector<LengthMoment>&
   return series;
 }
 
-void compute_lengths(const AttritionCase& values, const Session& session, Outcome& outcome) {
+void compute_lengths(const AttritionCase& values, Session& session, Outcome& outcome) {
   RunSummary& summary = outcome.summary;
   const Followed followed = follow(values, values.law, &session);
   const LengthMoment& last = followed.moments.back();
+  constexpr double coarse = 0.05;  // L_ub spans fewer than ten bins
+  if (needs_bins(values.law))
+    if (const std::string remark = remark_on_bins(values.fibers, last.unbreakable_length, coarse);
+        !remark.empty())
+      session.recorder().warn(remark);
   append_values(summary, "", values.law, followed);
   summary.number_average = last.means.number_average;
   summary.weight_average = last.means.weight_average;

@@ -53,10 +53,7 @@ std::vector<Condition> make_conditions(const CalibrationCase& values,
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     Condition& one = conditions[i];
     one.flow = condition_flow(values, i);
-    LengthChoices fibers = values.fibers;
-    if (!given.lengths.empty() || calibrates_orientation(values))
-      fibers.length = entry(given.lengths, i, 1e-3);
-    one.start = length_start(fibers);
+    one.start = length_start(condition_fibers(values, i));
     one.gradient = one.flow.rate * gradient_of(entry(given.flows, i, "shear"), given.shear_gradient);
     one.orientation = given.orientation;
   }
@@ -176,6 +173,13 @@ double deviation_at(const MeasuredSeries& series, double time) {
 }
 
 }  // namespace
+
+LengthChoices condition_fibers(const CalibrationCase& values, std::size_t condition) {
+  LengthChoices fibers = values.fibers;
+  const std::vector<double>& lengths = values.conditions.lengths;
+  if (!lengths.empty() || calibrates_orientation(values)) fibers.length = entry(lengths, condition, 1e-3);
+  return fibers;
+}
 
 LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition) {
   const CalibrationConditions& given = values.conditions;

@@ -23,6 +23,9 @@ namespace fiberfate {
 /// single values or a histogram is given back as it is.
 [[nodiscard]] MeasuredSeries refined(const MeasuredSeries& series, std::size_t count);
 
+/// The fibers with which a condition begins.
+[[nodiscard]] LengthChoices condition_fibers(const CalibrationCase& values, std::size_t condition);
+
 /// The shear rate and viscosity of a condition.
 [[nodiscard]] LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition);
 
