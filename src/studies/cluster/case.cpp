@@ -56,7 +56,9 @@ double expected_seconds(const ClusterCase& values, const std::optional<SamplePla
   const double relaxation_steps = values.relaxation.duration.value_or(0) / relaxation_step;
   if (plan) {
     const double rod_step = seconds_a_rod_step(values.sample, values.contact, values.run.seed);
-    return packing_seconds(*plan, rod_step) + relaxation_steps * static_cast<double>(plan->rods) * rod_step;
+    return packing_seconds(values.sample, {values.contact, values.boundary.y, values.run.seed}, *plan,
+                           rod_step) +
+           relaxation_steps * static_cast<double>(plan->rods) * rod_step;
   }
   FiberState fibers =
       make_fibers(values.sample, {values.contact, values.boundary.y, values.run.seed}, session).state;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "studies/sample/case.hpp"
+#include "studies/sample/start.hpp"
 #include "studies/study.hpp"
 
 namespace fiberfate {
@@ -17,7 +18,8 @@ void require_sample_memory(const SampleCase& sample, std::uint64_t seed);
 
 /// Up to so many rods are packed within a moment, for trial.
 inline constexpr std::int64_t most_rods_to_pack = 150;
-/// Foretells the wall seconds of packing from those of a rod in a step of the dynamics.
-[[nodiscard]] double packing_seconds(const SamplePlan& plan, double seconds_a_rod_step);
+/// Foretells the wall seconds of packing: from a trial, or from those of a rod in a step of the dynamics.
+[[nodiscard]] double packing_seconds(const SampleCase& sample, const StartRequest& start,
+                                     const SamplePlan& plan, double seconds_a_rod_step);
 
 }  // namespace fiberfate

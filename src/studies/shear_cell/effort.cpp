@@ -81,7 +81,8 @@ double computing_seconds(const ShearCellCase& values, const std::optional<Sample
   const bool packs = values.sample.cluster.source == ClusterSource::generate;
   if (packs && plan->rods > most_rods_to_pack) {
     const double rod_step = seconds_a_rod_step(values.sample, values.dynamics.contact, values.run.seed);
-    return packing_seconds(*plan, rod_step) +
+    return packing_seconds(values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed},
+                           *plan, rod_step) +
            expected_steps(values, crowding(values, *plan)) * static_cast<double>(plan->rods) * rod_step;
   }
   const Trial trial = try_out(values, session);
