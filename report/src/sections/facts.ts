@@ -18,7 +18,7 @@ function make_value(fact: Fact): Node {
   if (Array.isArray(fact.value)) {
     const matrix = make_matrix(fact.value);
     const unit = write_unit(fact.unit);
-    return make("span", { class: "tensor" }, matrix, unit ? ` ${unit}` : "");
+    return make("span", { class: "tensor" }, matrix, unit ? make("span", { class: "unit" }, unit) : "");
   }
   if (typeof fact.value === "string") {
     const unit = write_unit(fact.unit);

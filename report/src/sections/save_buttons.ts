@@ -4,7 +4,12 @@ import { type Column, save_csv, save_png, save_svg } from "../save";
 
 /** Makes a menu out of buttons; it closes when one is pressed, or when the reader turns elsewhere. */
 export function make_save_menu(...buttons: HTMLButtonElement[]): HTMLElement {
-  const menu = make("details", { class: "menu" }, make("summary", { title: "Save as a file" }, "Save"), make("div", { class: "entries" }, ...buttons));
+  const entries = make("div", { class: "entries" }, ...buttons);
+  const menu = make("details", { class: "menu" }, make("summary", { title: "Save as a file" }, "Save"), entries);
+  menu.addEventListener("toggle", () => {
+    menu.classList.remove("at-left");
+    menu.classList.toggle("at-left", menu.open && entries.getBoundingClientRect().left < 0);
+  });
   menu.addEventListener("click", (event) => {
     if (event.target instanceof HTMLButtonElement) menu.open = false;
   });

@@ -4,8 +4,9 @@ import { is_number, plain_label, read_number, unit_factor } from "./expect.mjs";
 import { check_maps, check_series_colours } from "./colours.mjs";
 
 export const looks = {
-  wide: { viewport: { width: 1500, height: 950 } },
+  wide: { viewport: { width: 1400, height: 950 } },
   laptop: { viewport: { width: 1280, height: 800 } },
+  tablet: { viewport: { width: 800, height: 1100 } },
   narrow: { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
   dark: { viewport: { width: 1280, height: 800 }, colorScheme: "dark" },
   print: { viewport: { width: 1280, height: 900 } },
@@ -84,6 +85,46 @@ async function check_room(page, name, expect) {
   expect.equal([...new Set(faults)].slice(0, 8).join("; "), "", `${name}: room for text`);
 }
 
+/** No text and no table sticks out of a box that holds it at its left or right, unless that box scrolls. */
+async function check_boxes(page, name, expect) {
+  const faults = await page.evaluate(() => {
+    const told = [];
+    const check = (holder, places, what) => {
+      if (!holder.checkVisibility()) return;
+      for (let box = holder; box.id !== "page"; box = box.parentElement) {
+        const { display, overflowX, position } = getComputedStyle(box);
+        const { left, right } = box.getBoundingClientRect();
+        const out = Math.max(...places.map((place) => Math.max(left - place.left, place.right - right)));
+        const holds = display !== "inline" && display !== "contents" && overflowX === "visible";
+        if (holds && out > 1) told.push(`${what} sticks ${out.toFixed(0)} px out of ${box.tagName}.${box.className} in ${box.closest("section")?.id}`);
+        if (overflowX !== "visible" || position === "absolute") return;
+      }
+    };
+    const walker = document.createTreeWalker(document.querySelector("#page"), NodeFilter.SHOW_TEXT);
+    for (let text = walker.nextNode(); text; text = walker.nextNode()) {
+      if (text.data.trim() === "" || text.parentElement.closest("svg, option")) continue;
+      const range = document.createRange();
+      range.selectNodeContents(text);
+      check(text.parentElement, [...range.getClientRects()], `“${text.data.slice(0, 40)}”`);
+    }
+    for (const table of document.querySelectorAll("table")) check(table.parentElement, [table.getBoundingClientRect()], `the table “${table.textContent.slice(0, 40)}”`);
+    return told;
+  });
+  expect.equal([...new Set(faults)].slice(0, 8).join("; "), "", `${name}: text in its box`);
+}
+
+/** Every menu opens inside the window. */
+async function check_menus(page, name, expect) {
+  const faults = await page.evaluate(() => [...document.querySelectorAll("details.menu")].map((menu) => {
+    menu.open = true;
+    menu.dispatchEvent(new Event("toggle"));
+    const { left, right } = menu.querySelector(".entries").getBoundingClientRect();
+    menu.open = false;
+    return left >= 0 && right <= document.documentElement.clientWidth ? "" : `the menu of ${menu.closest("section").id} reaches from ${left} to ${right}`;
+  }).filter(Boolean));
+  expect.equal(faults.join("; "), "", `${name}: menus`);
+}
+
 /** What no reader should meet: a zero with a sign, one of many. */
 async function check_wording(page, name, expect) {
   const text = await page.locator("body").innerText();
@@ -96,7 +137,7 @@ async function check_columns(page, name, expect) {
     const charts = document.querySelector(".charts");
     return charts ? getComputedStyle(charts).gridTemplateColumns.split(" ").length : 0;
   });
-  if (columns > 0) expect.equal(columns, name === "narrow" ? 1 : 2, `${name}: charts abreast`);
+  if (columns > 0) expect.equal(columns, name === "narrow" || name === "tablet" ? 1 : 2, `${name}: charts abreast`);
 }
 
 /** The wheel scrolls the page over a view, and zooms it only when the reader has clicked it. */
@@ -146,6 +187,8 @@ export async function check_look(page, name, expect) {
   await page.evaluate(() => document.querySelectorAll("details.fold").forEach((folded) => { folded.open = true; }));
   await settle(page);
   await check_room(page, name, expect);
+  await check_boxes(page, name, expect);
+  await check_menus(page, name, expect);
   await check_wording(page, name, expect);
   if (name === "wide" || name === "dark") await check_series_colours(page, name, expect);
   if (name === "wide") await check_maps(page, expect);
