@@ -3,9 +3,8 @@ import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
 import { lay_names, plain_name } from "../figure/names";
 import { chart_font, chart_height, chart_room } from "../figure/size";
-import { make_ticks } from "../figure/ticks";
+import { make_ticks, write_tick } from "../figure/ticks";
 import { figure_font } from "../font";
-import { write_number } from "../format";
 import { current_palette, type Palette } from "../palette";
 import { type Curves, fits, make_equal, range_of_x, range_of_y } from "./curves";
 import { draw_curves, type Scales } from "./paths";
@@ -65,7 +64,7 @@ function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis 
       const pixels = (side === "x" ? plot.bbox.width : plot.bbox.height) / uPlot.pxRatio;
       return make_ticks(min, max, scale, Math.max(2, Math.round(pixels / (side === "x" ? 95 : 62))));
     },
-    values: (_plot, splits) => splits.map((split) => write_number(split)),
+    values: (_plot, splits) => splits.map(write_tick),
     filter: (_plot, splits) => splits,
   };
 }

@@ -3,6 +3,7 @@ import { Vector3 } from "three";
 import type { ShellSection } from "../document";
 import { make, make_button, make_choice, make_toggle } from "../dom";
 import { current_palette, sample_map, watch_scheme } from "../palette";
+import { bar_range } from "../figure/ticks";
 import { write_quantity } from "../format";
 import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
@@ -56,6 +57,7 @@ function scale_of(field: DecodedField): ColourScale {
   if (!(min <= max)) [min, max] = [0, 1];
   // Equal values still need a bar of some height.
   if (min === max) [min, max] = [min - 0.5 * (Math.abs(min) || 1), max + 0.5 * (Math.abs(max) || 1)];
+  else [min, max] = bar_range(min, max);
   return { label: field.label, unit: field.unit, min, max, clipped: false, table: viridis, categorical: false };
 }
 
