@@ -24,7 +24,7 @@ function make_value(fact: Fact): Node {
     const unit = write_unit(fact.unit);
     return document.createTextNode(unit ? `${fact.value}\u00a0${unit}` : fact.value);
   }
-  return document.createTextNode(write_quantity(fact.value, fact.unit));
+  return make("span", { class: "quantity" }, write_quantity(fact.value, fact.unit));
 }
 
 /** Letters of a text that find room beside other facts. */

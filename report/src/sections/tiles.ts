@@ -37,6 +37,15 @@ function tell_change({ value, unit, course }: Headline): string | undefined {
   return `${from}, ${share < 0 ? "\u2212" : "+"}${digits}\u2009%`;
 }
 
+/** Letters of a number beyond which it is set smaller. */
+const longest_large = 8;
+
+/** Sets a number and its unit; a line may end between them, never inside of one. */
+function make_tile_value(number: string, unit: string): HTMLElement {
+  const value = make("span", { class: number.length > longest_large ? "number long" : "number" }, number);
+  return make("span", { class: "tile-value" }, value, ...(unit ? [" ", make("span", { class: "unit" }, unit)] : []));
+}
+
 function make_tile(headline: Headline): HTMLElement {
   const { label, value, unit, note } = headline;
   const shown = choose_unit(unit, Math.abs(value ?? 0));
@@ -44,7 +53,7 @@ function make_tile(headline: Headline): HTMLElement {
   const tile = make(
     "li", { class: "tile", "data-label": label, "data-value": value ?? "" },
     make("span", { class: "tile-label" }, make_label(label)),
-    make("span", { class: "tile-value" }, number, shown.unit ? make("span", { class: "unit" }, `\u2009${shown.unit}`) : ""),
+    make_tile_value(number, shown.unit),
   );
   const drawn = headline.course && draw_spark(headline.course);
   if (drawn) tile.append(drawn);
