@@ -10,7 +10,7 @@ export interface PlaceLabels {
   follow: (stage: Stage) => void;
 }
 
-/** Makes one label a place; they lie over the canvas and let the pointer through. */
+/** Makes one label a place; they lie over the canvas and let the pointer through. One that finds no room at the right stands at the left. */
 export function make_place_labels(places: ShellPlace[]): PlaceLabels {
   const labels = places.map(({ label, kind }) => make("span", { class: `place ${kind}` }, label));
   const element = make("div", { class: "places", "aria-hidden": "true" }, ...labels);
@@ -19,6 +19,8 @@ export function make_place_labels(places: ShellPlace[]): PlaceLabels {
     follow: (stage) => {
       places.forEach(({ at }, k) => {
         const seen = new Vector3(...at).multiplyScalar(stage.factor).project(stage.camera);
+        const right = (0.5 + 0.5 * seen.x) * element.clientWidth;
+        labels[k]!.classList.toggle("at-left", right + labels[k]!.offsetWidth > element.clientWidth);
         labels[k]!.style.left = `${(50 * (1 + seen.x)).toFixed(2)}%`;
         labels[k]!.style.top = `${(50 * (1 - seen.y)).toFixed(2)}%`;
         labels[k]!.hidden = Math.abs(seen.z) > 1;

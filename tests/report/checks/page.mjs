@@ -113,6 +113,21 @@ async function check_boxes(page, name, expect) {
   expect.equal([...new Set(faults)].slice(0, 8).join("; "), "", `${name}: text in its box`);
 }
 
+/** Boxes that scroll say so at the edge beyond which there is more; labels on a part are whole. */
+async function check_edges(page, name, expect) {
+  const faults = await page.evaluate(() => {
+    const scrolls = [...document.querySelectorAll(".scroll")].filter((box) => box.checkVisibility());
+    const unmarked = scrolls.filter((box) => (box.scrollWidth > box.clientWidth + 1) !== box.classList.contains("more-right"));
+    const labels = [...document.querySelectorAll(".place")].filter((label) => label.textContent !== "" && label.checkVisibility());
+    const cut = labels.filter((label) => {
+      const [own, whole] = [label, label.parentElement].map((box) => box.getBoundingClientRect());
+      return own.left < whole.left - 1 || own.right > whole.right + 1;
+    });
+    return [...unmarked.map((box) => `the table of ${box.closest("section").id} does not say whether it scrolls`), ...cut.map((label) => `the label “${label.textContent}” is cut`)];
+  });
+  expect.equal(faults.join("; "), "", `${name}: edges`);
+}
+
 /** Every menu opens inside the window. */
 async function check_menus(page, name, expect) {
   const faults = await page.evaluate(() => [...document.querySelectorAll("details.menu")].map((menu) => {
@@ -189,6 +204,7 @@ export async function check_look(page, name, expect) {
   await check_room(page, name, expect);
   await check_boxes(page, name, expect);
   await check_menus(page, name, expect);
+  await check_edges(page, name, expect);
   await check_wording(page, name, expect);
   if (name === "wide" || name === "dark") await check_series_colours(page, name, expect);
   if (name === "wide") await check_maps(page, expect);
