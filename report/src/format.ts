@@ -96,6 +96,11 @@ export function write_quantity(value: Value | undefined, unit?: string, digits =
   return shown.unit === "°" || shown.unit === "%" ? `${number}\u2009${shown.unit}` : `${number}\u00a0${shown.unit}`;
 }
 
+/** Tells whether a label is a component of a tensor, such as a_11. */
+export function is_component(label: string): boolean {
+  return /^\p{L}_?[1-3]{2}$/u.test(label);
+}
+
 /** A piece of a label: upright text, or a subscript ("L_N" is L with subscript N). */
 export interface LabelPart {
   text: string;
