@@ -1,7 +1,7 @@
 // The legend of a chart: a button a curve that shows its value under the cursor and hides it on a click.
 import { make, make_label } from "../dom";
 import { type Axis, is_number, type LinesSection, type Value } from "../document";
-import { largest_magnitude, write_number } from "../format";
+import { largest_magnitude, write_label, write_number } from "../format";
 import type { Palette } from "../palette";
 import type { Curve, Curves } from "./curves";
 import { find_nearest } from "./nearest";
@@ -19,7 +19,7 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
   });
   const button = make(
     "button",
-    { type: "button", "aria-pressed": "true", title: `Show or hide ${curve.label}` },
+    { type: "button", "aria-pressed": "true", title: `Show or hide ${write_label(curve.label)}` },
     make("span", { class: `mark ${curve.style}`, "aria-hidden": "true" }),
     make("span", {}, make_label(curve.label)), make("span", { class: "reading" }, value, unit ? ` ${unit}` : ""),
   );

@@ -1,10 +1,11 @@
 // A live chart of curves on uPlot: zoom by drag, values under the cursor, linear or logarithmic axes.
 import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
-import { lay_names, plain_name } from "../figure/names";
+import { lay_names } from "../figure/names";
 import { chart_font, chart_height, chart_room } from "../figure/size";
 import { make_ticks, write_tick } from "../figure/ticks";
 import { figure_font } from "../font";
+import { write_label } from "../format";
 import { current_palette, type Palette } from "../palette";
 import { type Curves, fits, make_equal, range_of_x, range_of_y } from "./curves";
 import { draw_curves, type Scales } from "./paths";
@@ -38,7 +39,7 @@ function height_of(made: Curves, width: number): number {
 function name_axis(axis: uPlot.Axis, made: Curves, width: number): uPlot.Axis {
   const layout = layout_of(made, width);
   if (!layout) return axis;
-  const names = made.x_names!.map(plain_name);
+  const names = made.x_names!.map(write_label);
   const show = (k: number): string => {
     if (k % layout.every !== 0) return "";
     return layout.arrangement === "staggered" && k % 2 === 1 ? `\n${names[k]}` : names[k]!;

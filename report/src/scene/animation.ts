@@ -1,10 +1,11 @@
 // A view over time as a film or as numbered pictures, with colour bar and time in the picture.
 import { make_button } from "../dom";
 import { figure_font } from "../font";
+import { write_label } from "../format";
 import { light_palette } from "../palette";
 import { download, draw_svg } from "../save";
 import { make_zip, type ZipEntry } from "../zip";
-import { make_colour_bar } from "./colour_bar";
+import { bar_title, make_colour_bar } from "./colour_bar";
 import type { ColourScale } from "./colouring";
 import type { Stage } from "./stage";
 
@@ -25,10 +26,9 @@ export interface Animated {
 async function make_composer({ stage, scale }: Animated): Promise<{ picture: HTMLCanvasElement; compose: (time: string) => void }> {
   const scene = stage.canvas;
   const zoom = scene.height / 520;
-  const bar = make_colour_bar(scale(), light_palette);
-  const svg = bar.querySelector("svg")!;
+  const svg = make_colour_bar(scale(), light_palette).querySelector("svg")!;
   const image = await draw_svg(svg);
-  const title = bar.querySelector("span")!.textContent ?? "";
+  const title = write_label(bar_title(scale()));
   const picture = document.createElement("canvas");
   // Codecs want even sizes.
   picture.width = 2 * Math.round((scene.width + bar_room * zoom) / 2);

@@ -1,6 +1,6 @@
 // The colour bar beside the view.
-import { make, make_svg } from "../dom";
-import { choose_unit, write_axis_title } from "../format";
+import { make, make_label, make_svg } from "../dom";
+import { choose_unit, write_axis_title, write_label } from "../format";
 import { bar_ticks, write_tick } from "../figure/ticks";
 import { figure_font } from "../font";
 import type { Palette } from "../palette";
@@ -47,9 +47,13 @@ function measure_width(ticks: Tick[]): number {
   return 24 + 7 * Math.max(7, ...ticks.map(({ text }) => text.length));
 }
 
+/** Says what is coloured, and in which unit. */
+export function bar_title(scale: ColourScale): string {
+  return write_axis_title(scale.label, choose_unit(scale.unit, scale.max).unit);
+}
+
 /** Draws the bar under its title. */
 export function make_colour_bar(scale: ColourScale, palette: Palette): HTMLElement {
-  const unit = choose_unit(scale.unit, scale.max);
   const ticks = list_ticks(scale);
   const width = measure_width(ticks);
   const svg = make_svg("svg", {
@@ -64,6 +68,6 @@ export function make_colour_bar(scale: ColourScale, palette: Palette): HTMLEleme
   }
   draw_ticks(svg, ticks, palette);
   if (scale.clipped) draw_clipping(svg, scale);
-  const title = write_axis_title(scale.label, unit.unit);
-  return make("div", { class: "colour-bar", role: "img", "aria-label": `Colour bar: ${title}` }, make("span", {}, title), svg);
+  const title = bar_title(scale);
+  return make("div", { class: "colour-bar", role: "img", "aria-label": `Colour bar: ${write_label(title)}` }, make("span", {}, make_label(title)), svg);
 }

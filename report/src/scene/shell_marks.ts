@@ -1,7 +1,7 @@
 // Labelled places on a part, such as gates.
 import { Vector3 } from "three";
 import type { ShellPlace } from "../document";
-import { make } from "../dom";
+import { make, make_label } from "../dom";
 import type { Stage } from "./stage";
 
 export interface PlaceLabels {
@@ -12,7 +12,7 @@ export interface PlaceLabels {
 
 /** Makes one label a place; they lie over the canvas and let the pointer through. One that finds no room at the right stands at the left. */
 export function make_place_labels(places: ShellPlace[]): PlaceLabels {
-  const labels = places.map(({ label, kind }) => make("span", { class: `place ${kind}` }, label));
+  const labels = places.map(({ label, kind }) => make("span", { class: `place ${kind}` }, make_label(label)));
   const element = make("div", { class: "places", "aria-hidden": "true" }, ...labels);
   return {
     element,

@@ -6,7 +6,7 @@ import { is_number, type LinesSection, type Scale } from "../document";
 import { make, make_button, make_toggle } from "../dom";
 import { draw_lines, type View } from "../figure/lines_figure";
 import { paper_size, print_size } from "../figure/size";
-import { write_axis_title } from "../format";
+import { write_axis_title, write_label } from "../format";
 import { current_palette, light_palette, watch_scheme } from "../palette";
 import { add_print_figure } from "../print";
 import type { Column } from "../save";
@@ -45,7 +45,7 @@ export function render_lines(section: LinesSection): HTMLElement {
     y: section.y.scale === "log" && has_positive(made, "y") ? "log" : "linear",
   };
   const legend = make_legend(section, made, () => chart().rebuild());
-  const host = make("div", { class: "chart", role: "img", "aria-label": `${made.y_label} against ${made.x_label}` });
+  const host = make("div", { class: "chart", role: "img", "aria-label": write_label(`${made.y_label} against ${made.x_label}`) });
   const titles = { x: write_axis_title(made.x_label, made.x_unit.unit), y: write_axis_title(made.y_label, made.y_unit.unit) };
   figure.append(legend.element, make_plot(titles, host));
   let built: ReturnType<typeof make_line_chart> | undefined;

@@ -1,7 +1,7 @@
 // The section "shell": a part that fills, in three dimensions over time.
 import { Vector3 } from "three";
 import type { ShellSection } from "../document";
-import { make, make_button, make_choice, make_toggle } from "../dom";
+import { make, make_button, make_choice, make_label, make_toggle } from "../dom";
 import { current_palette, sample_map, watch_scheme } from "../palette";
 import { bar_range } from "../figure/ticks";
 import { write_quantity } from "../format";
@@ -109,7 +109,7 @@ function add_controls(controls: HTMLElement, shown: Shown): void {
   const fields = shown.data.fields.map(({ label }, k) => ({ value: String(k), text: label }));
   controls.append(make_choice("Colour", fields, "0", (value) => choose_field(shown, Number(value))));
   for (const { label, title, object } of shown.overlays) {
-    controls.append(make_toggle(label, title, object.visible, (on) => {
+    controls.append(make_toggle(make_label(label), title, object.visible, (on) => {
       object.visible = on;
       shown.stage.redraw();
     }));
