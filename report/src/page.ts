@@ -1,4 +1,5 @@
 // The page: title, headlines, picture, charts two abreast, outcome, and the rest folded away.
+import { name_quantities } from "./compared";
 import type { ReportDocument, Section } from "./document";
 import { make, make_label } from "./dom";
 import { arrange, role_of } from "./layout";
@@ -92,6 +93,7 @@ function make_main(found: ReportDocument, sections: Section[], elements: HTMLEle
 export function render_page(host: HTMLElement, found: ReportDocument): void {
   document.title = write_title(found);
   name_sections(found.sections);
+  name_quantities(found);
   const sections = arrange(found.sections);
   const elements = sections.map(render_section);
   const links = new Map<string, HTMLAnchorElement>();

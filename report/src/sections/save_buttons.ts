@@ -29,7 +29,7 @@ export interface Saved {
 /** Adds SVG, PNG and CSV to a row of controls; figure and numbers are made when asked for. */
 export function add_save_buttons(controls: HTMLElement, { name, paper, columns }: Saved): void {
   controls.append(make_save_menu(
-    make_button("Figure as SVG", "A vector figure for a paper, with its type", () => save_svg(name, paper())),
+    make_button("Figure as SVG", "A vector figure for a paper; its text stays text", () => save_svg(name, paper())),
     make_button("Figure as PNG", "A picture of 2160 by 1200 pixels", () => void save_png(name, paper())),
     make_button("Numbers as CSV", "All numbers of the figure in the document's units", () => save_csv(name, columns())),
   ));
