@@ -7,12 +7,18 @@ function part_of({ title }: LinesSection): string | undefined {
   return /: ([^:]+)$/.exec(title)?.[1];
 }
 
+/** Dashes of a quantity told it from its neighbours in the chart of one run; the curves of runs are told apart by colours. */
+function undash(series: Series, runs: string[]): void {
+  if (series.style === "dashed" && runs.includes(series.label)) series.style = "line";
+}
+
 /** Lets axes of charts of several runs say their quantity, and tells the charts of which runs their curves are. */
 export function name_quantities({ sections }: ReportDocument): void {
   const runs = sections.flatMap((section) => (section.kind === "comparison" ? section.runs : []));
   if (runs.length === 0) return;
   for (const section of sections) {
     if (section.kind !== "lines" && section.kind !== "scatter") continue;
+    for (const series of section.series) undash(series, runs);
     const part = part_of(section);
     const symbol = part !== undefined && split_label(part).some(({ subscript }) => subscript);
     if (part !== undefined) section.y.label = `${section.y.label}, ${part}`;
