@@ -25,6 +25,7 @@ import { make_save_menu } from "./save_buttons";
 const positions_of_slider = 120;
 const seconds_to_play = 6;
 const contours = 20;
+const stills = 61; // pictures of the whole time: enough for a talk's slides
 const viridis = make_table((k) => sample_map("viridis", k / 255));
 
 /** What is shown now; the functions below bring the stage into agreement with it. */
@@ -102,7 +103,12 @@ function animated(shown: Shown): Animated {
     shown.go(positions_of_slider * share);
     return `t = ${write_quantity(shown.time, "s")}`;
   };
-  return { name: shown.section.id, stage: shown.stage, scale: () => shown.scale, show };
+  const frames = Array.from({ length: stills }, (_unused, k) => k / (stills - 1));
+  const keep_place = () => {
+    const position = (positions_of_slider * shown.time) / shown.data.end;
+    return (): void => shown.go(position);
+  };
+  return { name: shown.section.id, stage: shown.stage, scale: () => shown.scale, show, frames, keep_place };
 }
 
 function add_controls(controls: HTMLElement, shown: Shown): void {

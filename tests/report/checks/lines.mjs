@@ -1,6 +1,7 @@
 // Checks of curves: legend, values under the cursor, pixels, zoom, and the vector figure read back by its ticks.
 import { is_number, plain_label, read_number, unit_factor } from "./expect.mjs";
 import { read_axis, read_edges, with_print_figure } from "./figure.mjs";
+import { check_saved_chart } from "./saved.mjs";
 
 const last_of = (values) => values.filter(is_number).at(-1) ?? null;
 
@@ -196,6 +197,7 @@ export async function check_lines(page, section, expect) {
   await check_pixels(page, section, expect);
   await check_cursor(page, section, factors, expect);
   await check_figure(page, section, factors, expect);
+  await check_saved_chart(page, section, expect);
   const linear = section.x.scale !== "log" && (section.x.values ?? []).length > 3;
   if (linear && section.kind === "lines") await check_zoom(page, section, expect);
   if (linear && section.id === "orientation") await check_log_axis(page, section, expect);
