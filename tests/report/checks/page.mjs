@@ -187,6 +187,11 @@ async function check_paper(page, expect) {
   await check_columns(page, "print", expect);
   const heights = await page.locator(".charts > section:not(.role-wide)").evaluateAll((sections) => sections.map((section) => [section.id, section.getBoundingClientRect().height]));
   for (const [id, height] of heights) expect.that(height <= 1017 / 2, `${id}: ${height} px high on paper`);
+  const pages = await page.locator(".charts").evaluateAll(([charts]) => [...(charts?.children ?? [])].reduce((counts, chart) => {
+    counts[counts.length - 1] += chart.classList.contains("role-wide") ? 2 : 1;
+    return chart.classList.contains("page-end") ? [...counts, 0] : counts;
+  }, [0]));
+  expect.that(pages.every((count) => count <= 4), `print: ${pages.join(", ")} charts on the pages`);
   await check_room(page, "print", expect);
   const pdf = await page.pdf({ preferCSSPageSize: true });
   expect.that(pdf.length > 10_000, "the page prints");
