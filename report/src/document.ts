@@ -66,6 +66,11 @@ export interface Series {
   /** Number of its colour, from 0; without it that of its place in the list. */
   colour?: number;
 }
+export interface Compared {
+  quantity: string;
+  runs: string[];
+}
+
 export interface LinesSection extends SectionBase {
   kind: "lines" | "scatter";
   x: Axis;
@@ -75,6 +80,8 @@ export interface LinesSection extends SectionBase {
   equal?: boolean;
   /** The legend tells names alone: where values at a place say nothing. */
   legend?: "names";
+  /** Not of the document: what the curves of runs are curves of, which the page finds out. */
+  compared?: Compared;
 }
 
 export interface HistogramFrame {

@@ -1,5 +1,5 @@
 // Small functions that make elements of the page.
-import { split_label } from "./format";
+import { split_label, write_label } from "./format";
 
 type Attributes = Record<string, string | number | boolean | undefined>;
 type Child = Node | string;
@@ -74,7 +74,7 @@ export function make_choice(
 ): HTMLLabelElement {
   const select = make("select", { name: label.toLowerCase() });
   for (const { value, text } of options) {
-    select.append(make("option", { value, selected: value === chosen }, text));
+    select.append(make("option", { value, selected: value === chosen }, write_label(text)));
   }
   select.addEventListener("change", () => action(select.value));
   return make("label", { class: "choice" }, make("span", {}, label), select);

@@ -1,4 +1,4 @@
-// The one family of type of the report: shipped inside the page, and inside every figure that is saved.
+// The one family of type of the report: shipped inside the page.
 import regular from "inter-ui/web/Inter-Regular.woff2?inline";
 import semibold from "inter-ui/web/Inter-SemiBold.woff2?inline";
 
@@ -17,7 +17,7 @@ export async function load_fonts(): Promise<void> {
   await Promise.allSettled(made.map((face) => face.load()));
 }
 
-/** Gives the rules by which a figure that leaves the page keeps its type. */
+/** Gives the rules by which a figure keeps its type while it becomes pixels. */
 export function write_font_rules(): string {
   return faces.map(({ source, weight }) => `@font-face{font-family:Inter;font-weight:${weight};src:url(${source})}`).join("");
 }

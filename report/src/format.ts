@@ -96,22 +96,46 @@ export function write_quantity(value: Value | undefined, unit?: string, digits =
   return shown.unit === "°" || shown.unit === "%" ? `${number}\u2009${shown.unit}` : `${number}\u00a0${shown.unit}`;
 }
 
+/** Tells whether a label is a component of a tensor, such as a_11. */
+export function is_component(label: string): boolean {
+  return /^\p{L}_?[1-3]{2}$/u.test(label);
+}
+
 /** A piece of a label: upright text, or a subscript ("L_N" is L with subscript N). */
 export interface LabelPart {
   text: string;
   subscript: boolean;
 }
 
+/** A symbol with an underscore, such as L_N, or a component of an orientation tensor without one, such as A11. */
+const symbols = /(?<![\p{L}\d_])(?:(\p{L})_([A-Za-z0-9]{1,6})|(A)([1-3]{2}|[1-3]{4}))(?![\p{L}\d_])/giu;
+
+/** Components of tensors have one notation, with a small letter, however the document writes them. */
+function write_letter(letter: string, index: string): string {
+  return letter === "A" && /^([1-3]{2}){1,2}$/.test(index) ? "a" : letter;
+}
+
 export function split_label(label: string): LabelPart[] {
   const parts: LabelPart[] = [];
   let from = 0;
-  for (const match of label.matchAll(/(?<![A-Za-z0-9_])(\p{L})_([A-Za-z0-9]{1,6})(?![A-Za-z0-9_])/gu)) {
-    const at = match.index + match[1]!.length;
-    parts.push({ text: label.slice(from, at), subscript: false }, { text: match[2]!, subscript: true });
-    from = at + 1 + match[2]!.length;
+  for (const match of label.matchAll(symbols)) {
+    const letter = (match[1] ?? match[3])!;
+    const index = (match[2] ?? match[4])!;
+    parts.push({ text: label.slice(from, match.index) + write_letter(letter, index), subscript: false }, { text: index, subscript: true });
+    from = match.index + match[0].length;
   }
   if (from < label.length) parts.push({ text: label.slice(from), subscript: false });
   return parts;
+}
+
+// Of capitals there are no subscripts; small ones come nearest.
+const small_letters: Record<string, string> = { N: "ɴ", W: "ᴡ", I: "ɪ", M: "ᴍ" };
+const lowered = "₀₁₂₃₄₅₆₇₈₉";
+
+/** Writes a label as plain text, for menus, hints and canvases, where nothing can be set lower. */
+export function write_label(label: string): string {
+  const lower = (index: string): string => index.replace(/\d/g, (digit) => lowered[Number(digit)]!).replace(/[NWIM]/g, (letter) => small_letters[letter]!);
+  return split_label(label).map(({ text, subscript }) => (subscript ? lower(text) : text)).join("");
 }
 
 /** "label (unit)", the way an axis is titled. */

@@ -1,9 +1,12 @@
 // The page: title, headlines, picture, charts two abreast, outcome, and the rest folded away.
+import { name_quantities } from "./compared";
 import type { ReportDocument, Section } from "./document";
 import { make, make_label } from "./dom";
 import { arrange, role_of } from "./layout";
 import { render_section } from "./sections/registry";
 import { render_tiles } from "./sections/tiles";
+
+const charts_a_page = 4;
 
 function make_header(found: ReportDocument): HTMLElement {
   const facts = [
@@ -71,6 +74,23 @@ function unfold_on_demand(main: HTMLElement): void {
   });
 }
 
+/** Ends printed pages after four charts; on the first page charts share it with the headlines, unless a picture fills it. */
+function end_pages(charts: HTMLElement, has_picture: boolean): void {
+  let room = has_picture ? charts_a_page : charts_a_page / 2;
+  let before: Element | undefined;
+  for (const chart of charts.children) {
+    const wide = chart.classList.contains("role-wide");
+    // A wide one begins a row.
+    if (wide) room -= room % 2;
+    if (room < (wide ? 2 : 1)) {
+      before?.classList.add("page-end");
+      room = charts_a_page;
+    }
+    room -= wide ? 2 : 1;
+    before = chart;
+  }
+}
+
 function make_main(found: ReportDocument, sections: Section[], elements: HTMLElement[]): HTMLElement {
   const charts = make("div", { class: "charts" });
   const details = make("div", { class: "details" });
@@ -86,12 +106,14 @@ function make_main(found: ReportDocument, sections: Section[], elements: HTMLEle
     else if (role === "picture") charts.before(elements[k]!);
     else details.before(elements[k]!);
   });
+  end_pages(charts, sections.some((section) => role_of(section) === "picture"));
   return main;
 }
 
 export function render_page(host: HTMLElement, found: ReportDocument): void {
   document.title = write_title(found);
   name_sections(found.sections);
+  name_quantities(found);
   const sections = arrange(found.sections);
   const elements = sections.map(render_section);
   const links = new Map<string, HTMLAnchorElement>();

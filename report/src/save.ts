@@ -22,12 +22,21 @@ function quote(text: string): string {
   return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** Writes columns as CSV with full precision; an undefined number is an empty cell. */
+const digits = 7;
+
+/** Writes a number without the round-off of its last digits; counts are whole. */
+function write_cell(value: Column["values"][number]): string {
+  if (typeof value !== "number") return quote(value ?? "");
+  if (!Number.isFinite(value)) return "";
+  return String(Number.isInteger(value) ? value : Number(value.toPrecision(digits)));
+}
+
+/** Writes columns as CSV; an undefined number is an empty cell. */
 export function write_csv(columns: Column[]): string {
   const length = Math.max(0, ...columns.map((column) => column.values.length));
   const lines = [columns.map((column) => quote(column.header)).join(",")];
   for (let row = 0; row < length; ++row) {
-    lines.push(columns.map((column) => quote(String(column.values[row] ?? ""))).join(","));
+    lines.push(columns.map((column) => write_cell(column.values[row])).join(","));
   }
   return lines.join("\n") + "\n";
 }
@@ -36,22 +45,23 @@ export function save_csv(name: string, columns: Column[]): void {
   download(`${name}.csv`, new Blob([write_csv(columns)], { type: "text/csv" }));
 }
 
-/** Writes a figure as a file that carries its type with it. */
-export function write_svg(figure: SVGSVGElement): string {
+/** Writes a figure that carries its type with it, since pictures know no fonts of the page. */
+function write_with_type(figure: SVGSVGElement): string {
   const carrying = figure.cloneNode(true) as SVGSVGElement;
   carrying.prepend(make_svg("style", {}, write_font_rules()));
   return new XMLSerializer().serializeToString(carrying);
 }
 
+/** Saves a figure as a small file: it names its type, and others for where that is missing. */
 export function save_svg(name: string, figure: SVGSVGElement): void {
-  const text = write_svg(figure);
+  const text = new XMLSerializer().serializeToString(figure);
   download(`${name}.svg`, new Blob([text], { type: "image/svg+xml" }));
 }
 
 /** Makes pixels of a figure. */
 export async function draw_svg(figure: SVGSVGElement): Promise<HTMLImageElement> {
   const picture = new Image();
-  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(write_svg(figure))}`;
+  picture.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(write_with_type(figure))}`;
   await picture.decode();
   return picture;
 }

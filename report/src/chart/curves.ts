@@ -1,10 +1,13 @@
 // The curves of a lines section: values scaled to the shown unit, with their ranges.
+import { name_in_legend } from "../compared";
 import { is_number, type LinesSection, type Scale, type Series, type Value } from "../document";
 import { choose_unit, largest_magnitude, type ShownUnit } from "../format";
 import { pad_range } from "../figure/ticks";
 
 export interface Curve {
   label: string;
+  /** Its name in a file, where no title stands beside it. */
+  full_label: string;
   style: "line" | "dashed" | "points" | "filled";
   colour: number;
   visible: boolean;
@@ -43,6 +46,7 @@ export function make_curves(section: LinesSection): Curves {
   const y_unit = equal ? x_unit : choose_unit(section.y.unit, largest_magnitude(ys));
   const curves = section.series.map((series, index): Curve => ({
     label: series.label,
+    full_label: name_in_legend(section, series),
     style: section.kind === "scatter" ? "points" : (series.style ?? "line"),
     colour: series.colour ?? index,
     visible: true,

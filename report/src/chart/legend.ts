@@ -1,14 +1,14 @@
 // The legend of a chart: a button a curve that shows its value under the cursor and hides it on a click.
 import { make, make_label } from "../dom";
-import { is_number, type LinesSection, type Value } from "../document";
-import { largest_magnitude, write_number } from "../format";
+import { type Axis, is_number, type LinesSection, type Value } from "../document";
+import { largest_magnitude, write_label, write_number } from "../format";
 import type { Palette } from "../palette";
 import type { Curve, Curves } from "./curves";
 import { find_nearest } from "./nearest";
 
 export interface Legend {
   element: HTMLElement;
-  /** Shows the values nearest to an x, or the last values where there is none. */
+  /** Shows the values nearest to an x, or the last values where there is none and they are the outcome. */
   show: (x: number | undefined) => void;
   colour: (palette: Palette) => void;
 }
@@ -19,7 +19,7 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
   });
   const button = make(
     "button",
-    { type: "button", "aria-pressed": "true", title: `Show or hide ${curve.label}` },
+    { type: "button", "aria-pressed": "true", title: `Show or hide ${write_label(curve.label)}` },
     make("span", { class: `mark ${curve.style}`, "aria-hidden": "true" }),
     make("span", {}, make_label(curve.label)), make("span", { class: "reading" }, value, unit ? ` ${unit}` : ""),
   );
@@ -33,11 +33,17 @@ function make_entry(section: string, curve: Curve, unit: string, toggled: () => 
 
 const round_off = 1e-12;
 
+/** Tells whether what stands last on an axis is the outcome: on one of time or strain, not on one of angles or places. */
+function is_progress({ label, unit }: Axis): boolean {
+  return unit === "s" || unit === "min" || unit === "h" || /\b(time|strain|steps?|revolutions)\b/i.test(label);
+}
+
 /** Makes the legend; `toggled` is called when a curve is shown or hidden. */
 export function make_legend(section: LinesSection, made: Curves, toggled: () => void): Legend {
   const entries = made.curves.map((curve) => make_entry(section.id, curve, made.y_unit.unit, toggled));
   const where = make("span", { class: "where", "aria-live": "off" });
   const names = section.legend === "names";
+  const progress = is_progress(section.x);
   const element = make("div", { class: names ? "legend names" : "legend" }, ...entries.map(([button]) => button), where);
   const largest = largest_magnitude(made.curves.flatMap(({ y }) => y));
   // What is left of a difference by round-off is told as nothing.
@@ -50,7 +56,9 @@ export function make_legend(section: LinesSection, made: Curves, toggled: () => 
     });
     where.replaceChildren();
     if (names) return;
-    if (x === undefined) where.append("last values");
+    // Hidden values keep their room, so that the chart stays in its place when the cursor comes.
+    element.classList.toggle("quiet", x === undefined && !progress);
+    if (x === undefined) where.append(progress ? "last values" : "");
     else if (made.x_names) where.append("at ", make_label(made.x_names[Math.round(x) - 1] ?? ""));
     else where.append("at ", make_label(made.x_label), ` ${write_number(x)} ${made.x_unit.unit}`);
   };

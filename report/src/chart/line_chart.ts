@@ -1,11 +1,11 @@
 // A live chart of curves on uPlot: zoom by drag, values under the cursor, linear or logarithmic axes.
 import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
-import { lay_names, plain_name } from "../figure/names";
+import { lay_names } from "../figure/names";
 import { chart_font, chart_height, chart_room } from "../figure/size";
-import { make_ticks } from "../figure/ticks";
+import { make_ticks, write_tick } from "../figure/ticks";
 import { figure_font } from "../font";
-import { write_number } from "../format";
+import { write_label } from "../format";
 import { current_palette, type Palette } from "../palette";
 import { type Curves, fits, make_equal, range_of_x, range_of_y } from "./curves";
 import { draw_curves, type Scales } from "./paths";
@@ -39,7 +39,7 @@ function height_of(made: Curves, width: number): number {
 function name_axis(axis: uPlot.Axis, made: Curves, width: number): uPlot.Axis {
   const layout = layout_of(made, width);
   if (!layout) return axis;
-  const names = made.x_names!.map(plain_name);
+  const names = made.x_names!.map(write_label);
   const show = (k: number): string => {
     if (k % layout.every !== 0) return "";
     return layout.arrangement === "staggered" && k % 2 === 1 ? `\n${names[k]}` : names[k]!;
@@ -65,7 +65,7 @@ function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis 
       const pixels = (side === "x" ? plot.bbox.width : plot.bbox.height) / uPlot.pxRatio;
       return make_ticks(min, max, scale, Math.max(2, Math.round(pixels / (side === "x" ? 95 : 62))));
     },
-    values: (_plot, splits) => splits.map((split) => write_number(split)),
+    values: (_plot, splits) => splits.map(write_tick),
     filter: (_plot, splits) => splits,
   };
 }

@@ -2,11 +2,11 @@
 import type { Scale } from "../document";
 import { make_svg } from "../dom";
 import { figure_font } from "../font";
-import { split_label, write_number } from "../format";
+import { split_label, write_label } from "../format";
 import type { Palette } from "../palette";
 import { lay_names, type NameLayout, widest_name } from "./names";
 import type { FigureSize } from "./size";
-import { make_ticks } from "./ticks";
+import { make_ticks, write_tick } from "./ticks";
 
 export interface FrameAxis {
   title: string;
@@ -65,8 +65,8 @@ export function make_svg_text(label: string, attributes: Record<string, string |
 
 function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number; text: string }[] {
   if (axis.names) return axis.names.map((text, k) => ({ at: k + 1, text }));
-  const count = Math.max(2, Math.round(length / apart));
-  return make_ticks(axis.min, axis.max, axis.scale, count).map((at) => ({ at, text: write_number(at) }));
+  const count = Math.max(3, Math.round(length / apart));
+  return make_ticks(axis.min, axis.max, axis.scale, count).map((at) => ({ at, text: write_tick(at) }));
 }
 
 /** Sets a number or a name below its tick. */
@@ -145,7 +145,7 @@ export function make_frame(request: FrameRequest): Frame {
     height: size.height,
     "font-family": figure_font,
     role: "img",
-    "aria-label": request.description,
+    "aria-label": write_label(request.description),
     "data-left": edges.left,
     "data-right": edges.right,
   });

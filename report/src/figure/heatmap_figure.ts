@@ -6,7 +6,7 @@ import { choose_unit, largest_magnitude, type ShownUnit, write_axis_title, write
 import { type ColourMap, css_colour, type Palette, sample_map } from "../palette";
 import { type Frame, make_frame, make_svg_text } from "./frame";
 import { type FigureSize, picture_size } from "./size";
-import { bar_ticks } from "./ticks";
+import { bar_range, bar_ticks, write_tick } from "./ticks";
 
 /** Gives the borders of cells whose middles are known: halfway between, and as far out at the ends. */
 function borders_of(middles: number[]): number[] {
@@ -40,7 +40,9 @@ function range_of(section: HeatmapSection): Range {
     }
   }
   if (range.min > range.max) return { min: 0, max: 1 };
-  return range.min === range.max ? { min: range.min, max: range.min + 1 } : range;
+  if (range.min === range.max) return { min: range.min, max: range.min + 1 };
+  const [min, max] = bar_range(range.min, range.max);
+  return { min, max };
 }
 
 function map_of(section: HeatmapSection): ColourMap {
@@ -68,7 +70,7 @@ function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette
   for (const tick of bar_ticks(range.min * unit.factor, range.max * unit.factor)) {
     const at = frame.bottom - (height * (tick / unit.factor - range.min)) / (range.max - range.min);
     const place = { class: "tick-bar", x: left + 20, y: at + 0.35 * font, "font-size": font, fill: palette.muted };
-    frame.svg.append(make_svg("text", place, write_number(tick, 3)));
+    frame.svg.append(make_svg("text", place, write_tick(tick)));
   }
   const middle = (frame.top + frame.bottom) / 2;
   const title = write_axis_title(section.label ?? "", unit.unit);

@@ -14,6 +14,8 @@ export interface View {
   y_scale: Scale;
   /** The zoomed range of x, or nothing for all. */
   x_range?: [number, number];
+  /** Curves are named as for a file that stands alone. */
+  full_labels?: boolean;
 }
 
 function place(frame: Frame, xs: Value[], ys: Value[], k: number): string {
@@ -68,7 +70,7 @@ export function draw_lines(title: string, made: Curves, view: View, palette: Pal
   let x_range = view.x_range ?? range_of_x(made, view.x_scale);
   let y_range = range_of_y(shown, view.y_scale, ...x_range);
   const colour_of = (curve: Curve): string => palette.series[curve.colour % palette.series.length]!;
-  const entries = shown.map((curve) => ({ label: curve.label, colour: colour_of(curve), mark: curve.style }));
+  const entries = shown.map((curve) => ({ label: view.full_labels ? curve.full_label : curve.label, colour: colour_of(curve), mark: curve.style }));
   const top = measure_legend(entries, size);
   if (made.equal) {
     const { width, height, room } = size;

@@ -1,5 +1,5 @@
 // How the names of places stand along an axis: in one row, in two, or upright, whichever first gives all of them room.
-import { split_label } from "../format";
+import { write_label } from "../format";
 
 export interface NameLayout {
   arrangement: "level" | "staggered" | "upright";
@@ -9,14 +9,9 @@ export interface NameLayout {
   every: number;
 }
 
-/** A name as text of one size, for where subscripts cannot be set. */
-export function plain_name(label: string): string {
-  return split_label(label).map(({ text }) => text).join("");
-}
-
 /** Estimates the width of the widest name. */
 export function widest_name(names: string[], font: number): number {
-  return 0.58 * font * Math.max(0, ...names.map((name) => plain_name(name).length));
+  return 0.58 * font * Math.max(0, ...names.map((name) => write_label(name).length));
 }
 
 export function lay_names(names: string[], width: number, font: number): NameLayout {

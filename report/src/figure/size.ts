@@ -20,7 +20,7 @@ function with_titles(width: number, height: number, font: number): FigureSize {
 export const paper_size = with_titles(720, 400, 13);
 
 /** Of the printed page: half of its width, so that four figures fill it. */
-export const print_size = with_titles(420, 390, 11.5);
+export const print_size = with_titles(420, 430, 11.5);
 
 /** Height of all charts on the screen. */
 export const chart_height = 270;

@@ -1,5 +1,6 @@
 // Where an axis has its ticks.
 import type { Scale } from "../document";
+import { write_number } from "../format";
 
 /** Gives round values (1, 2, 5 times a power of ten) inside a range, about `count` of them. */
 export function linear_ticks(min: number, max: number, count: number): number[] {
@@ -41,10 +42,21 @@ export function make_ticks(min: number, max: number, scale: Scale, count: number
   return scale === "log" ? log_ticks(min, max, count) : linear_ticks(min, max, count);
 }
 
-/** Gives the ticks of a colour bar: both ends, and round values that keep away from them. */
+const near_zero = 0.05; // of the far end of a range
+
+/** Lets a range of colours begin or end at zero where it nearly does. */
+export function bar_range(min: number, max: number): [number, number] {
+  return [min > 0 && min < near_zero * max ? 0 : min, max < 0 && max > near_zero * min ? 0 : max];
+}
+
+/** Gives the ticks of a colour bar. */
 export function bar_ticks(min: number, max: number): number[] {
-  const away = 0.09 * (max - min);
-  return [min, ...linear_ticks(min, max, 4).filter((tick) => tick > min + away && tick < max - away), max];
+  return linear_ticks(min, max, 5);
+}
+
+/** Writes a tick in full: it is round, so that it has no more digits than it needs. */
+export function write_tick(tick: number): string {
+  return write_number(tick, 9);
 }
 
 const round_off = 1e-9;

@@ -1,8 +1,9 @@
 // The view as a picture for a paper: pixels of the scene with the colour bar beside them.
+import { write_label } from "../format";
 import { light_palette } from "../palette";
 import { draw_svg } from "../save";
 import type { ColourScale } from "./colouring";
-import { make_colour_bar } from "./colour_bar";
+import { bar_title, make_colour_bar } from "./colour_bar";
 
 /** Lays the scene and its colour bar onto one white canvas. */
 export async function compose_picture(scene: HTMLCanvasElement, scale: ColourScale): Promise<HTMLCanvasElement> {
@@ -16,14 +17,13 @@ export async function compose_picture(scene: HTMLCanvasElement, scale: ColourSca
   pen.fillStyle = light_palette.surface;
   pen.fillRect(0, 0, picture.width, picture.height);
   pen.drawImage(scene, 0, 0);
-  const bar = make_colour_bar(scale, light_palette);
-  const svg = bar.querySelector("svg")!;
+  const svg = make_colour_bar(scale, light_palette).querySelector("svg")!;
   const image = await draw_svg(svg);
   const { width, height } = svg.viewBox.baseVal;
   const top = (picture.height - height * zoom) / 2;
   pen.drawImage(image, width_of_scene + 10 * zoom, top, width * zoom, height * zoom);
   pen.fillStyle = light_palette.ink;
   pen.font = `${14 * zoom}px ${getComputedStyle(document.body).fontFamily}`;
-  pen.fillText(bar.querySelector("span")!.textContent ?? "", width_of_scene + 10 * zoom, top + 4 * zoom);
+  pen.fillText(write_label(bar_title(scale)), width_of_scene + 10 * zoom, top + 4 * zoom);
   return picture;
 }

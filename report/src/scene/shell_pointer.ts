@@ -1,6 +1,6 @@
 // Pointing at a part: hovering tells the values at the nearest node.
 import { Mesh, Raycaster, Vector2 } from "three";
-import { make } from "../dom";
+import { make, make_label } from "../dom";
 import { write_quantity } from "../format";
 import { field_at, type ShellData } from "./shell";
 import type { Stage } from "./stage";
@@ -26,7 +26,7 @@ function write_place(data: ShellData, node: number): string {
 
 function show_node(box: HTMLElement, data: ShellData, node: number, time: number): void {
   const facts = make("dl", {});
-  const add = (label: string, value: string): void => facts.append(make("dt", {}, label), make("dd", {}, value));
+  const add = (label: string, value: string): void => facts.append(make("dt", {}, make_label(label)), make("dd", {}, value));
   add("node", String(node));
   add("place", write_place(data, node));
   const filled = data.fill_time[node]!;

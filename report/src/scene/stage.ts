@@ -135,21 +135,18 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
     controls.target.copy(middle);
     controls.update();
   };
+  let due: number | undefined;
   const draw = (palette: Palette = current_palette()): void => {
+    if (due !== undefined) cancelAnimationFrame(due);
+    due = undefined;
     request.prepare(palette, camera.position.distanceTo(middle));
     renderer.render(scene, camera);
     triad.turn(camera);
     host.dataset.triangles = String(renderer.info.render.triangles);
     request.finish?.(stage);
   };
-  let due = false;
   const redraw = (): void => {
-    if (due) return;
-    due = true;
-    requestAnimationFrame(() => {
-      due = false;
-      draw();
-    });
+    due ??= requestAnimationFrame(() => draw());
   };
   const stage: Stage = {
     canvas: renderer.domElement, scene, camera, factor, middle, redraw, draw, reset_camera: place_camera,

@@ -5,6 +5,7 @@ import { choose_unit, largest_magnitude, type ShownUnit, write_number } from "..
 import { current_palette, watch_scheme } from "../palette";
 import { save_csv } from "../save";
 import { make_section } from "./parts";
+import { make_scroll } from "./scroll";
 
 /** Makes the sample of a run's colour, which its curves have, too. */
 export function make_sample(run: number): HTMLElement {
@@ -45,7 +46,7 @@ export function render_comparison(section: ComparisonSection): HTMLElement {
   const heads = section.runs.map((run, k) => make("th", { scope: "col" }, make_sample(k), make_label(run)));
   const head = make("thead", {}, make("tr", {}, make("td", {}), ...heads));
   const body = make("tbody", {}, ...section.rows.map(make_row));
-  figure.append(make("div", { class: "scroll", tabindex: 0 }, make("table", { class: "numbers runs" }, head, body)));
+  figure.append(make_scroll(make("table", { class: "numbers runs" }, head, body)));
   controls.append(make_button("CSV", "Save the table as CSV", () => save_csv(section.id, [
     { header: "fact", values: section.rows.map(({ label, unit }) => (unit ? `${label} [${unit}]` : label)) },
     ...section.runs.map((run, k) => ({ header: run, values: section.rows.map(({ values }) => values[k]) })),

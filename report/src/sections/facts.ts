@@ -14,17 +14,20 @@ function make_matrix(rows: Value[][]): HTMLElement {
   return make("table", { class: "matrix" }, body);
 }
 
+/** Sets symbols of a text; names of files stay as they are. */
+function make_text(text: string, unit: string): Node {
+  const shown = unit ? `${text}\u00a0${unit}` : text;
+  return /\/|\.\w/.test(text) ? document.createTextNode(shown) : make("span", {}, make_label(shown));
+}
+
 function make_value(fact: Fact): Node {
   if (Array.isArray(fact.value)) {
     const matrix = make_matrix(fact.value);
     const unit = write_unit(fact.unit);
-    return make("span", { class: "tensor" }, matrix, unit ? ` ${unit}` : "");
+    return make("span", { class: "tensor" }, matrix, unit ? make("span", { class: "unit" }, unit) : "");
   }
-  if (typeof fact.value === "string") {
-    const unit = write_unit(fact.unit);
-    return document.createTextNode(unit ? `${fact.value}\u00a0${unit}` : fact.value);
-  }
-  return document.createTextNode(write_quantity(fact.value, fact.unit));
+  if (typeof fact.value === "string") return make_text(fact.value, write_unit(fact.unit));
+  return make("span", { class: "quantity" }, write_quantity(fact.value, fact.unit));
 }
 
 /** Letters of a text that find room beside other facts. */

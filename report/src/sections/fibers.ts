@@ -150,7 +150,12 @@ function animated(shown: Shown): Animated {
     shown.go(position_of(store.times, time));
     return `t = ${write_quantity(time, "s")}`;
   };
-  return { name: shown.section.id, stage: shown.view, scale: () => shown.scale, show };
+  const frames = store.times.map((time) => (time - store.times[0]!) / store.duration());
+  const keep_place = () => {
+    const { position } = shown;
+    return (): void => shown.go(position);
+  };
+  return { name: shown.section.id, stage: shown.view, scale: () => shown.scale, show, frames, keep_place };
 }
 
 function add_controls(controls: HTMLElement, shown: Shown): void {

@@ -3,6 +3,7 @@ import type { HistogramSection } from "../document";
 import { make, make_label, make_toggle } from "../dom";
 import { type Chosen, curve_colour, draw_histogram, frame_colour, histogram_titles } from "../figure/histogram_figure";
 import { paper_size, print_size, screen_size } from "../figure/size";
+import { write_label } from "../format";
 import { current_palette, light_palette, watch_scheme } from "../palette";
 import { add_print_figure } from "../print";
 import type { Column } from "../save";
@@ -29,7 +30,7 @@ function make_columns(section: HistogramSection): Column[] {
 function make_entries(labels: string[], mark: (index: number) => string, shown: Set<number>, draw: () => void): HTMLButtonElement[] {
   return labels.map((label, index) => {
     const sample = make("span", { class: `mark ${mark(index)}`, "aria-hidden": "true" });
-    const button = make_toggle(sample, `Show or hide ${label}`, shown.has(index), (on) => {
+    const button = make_toggle(sample, `Show or hide ${write_label(label)}`, shown.has(index), (on) => {
       if (on) shown.add(index);
       else shown.delete(index);
       draw();
@@ -62,7 +63,7 @@ export function render_histogram(section: HistogramSection): HTMLElement {
   };
   const legend = make("div", { class: "legend frames" }, ...buttons, ...lines);
   if (section.reference) {
-    legend.append(make("span", { class: "reference" }, make("span", { class: "mark dashed", "aria-hidden": "true" }), section.reference.label));
+    legend.append(make("span", { class: "reference" }, make("span", { class: "mark dashed", "aria-hidden": "true" }), make_label(section.reference.label)));
   }
   figure.append(legend, make_plot(histogram_titles(section), canvas));
   watch_scheme(draw);

@@ -4,7 +4,12 @@ import { type Column, save_csv, save_png, save_svg } from "../save";
 
 /** Makes a menu out of buttons; it closes when one is pressed, or when the reader turns elsewhere. */
 export function make_save_menu(...buttons: HTMLButtonElement[]): HTMLElement {
-  const menu = make("details", { class: "menu" }, make("summary", { title: "Save as a file" }, "Save"), make("div", { class: "entries" }, ...buttons));
+  const entries = make("div", { class: "entries" }, ...buttons);
+  const menu = make("details", { class: "menu" }, make("summary", { title: "Save as a file" }, "Save"), entries);
+  menu.addEventListener("toggle", () => {
+    menu.classList.remove("at-left");
+    menu.classList.toggle("at-left", menu.open && entries.getBoundingClientRect().left < 0);
+  });
   menu.addEventListener("click", (event) => {
     if (event.target instanceof HTMLButtonElement) menu.open = false;
   });
@@ -24,7 +29,7 @@ export interface Saved {
 /** Adds SVG, PNG and CSV to a row of controls; figure and numbers are made when asked for. */
 export function add_save_buttons(controls: HTMLElement, { name, paper, columns }: Saved): void {
   controls.append(make_save_menu(
-    make_button("Figure as SVG", "A vector figure for a paper, with its type", () => save_svg(name, paper())),
+    make_button("Figure as SVG", "A vector figure for a paper; its text stays text", () => save_svg(name, paper())),
     make_button("Figure as PNG", "A picture of 2160 by 1200 pixels", () => void save_png(name, paper())),
     make_button("Numbers as CSV", "All numbers of the figure in the document's units", () => save_csv(name, columns())),
   ));

@@ -1,8 +1,9 @@
 // The section "shell": a part that fills, in three dimensions over time.
 import { Vector3 } from "three";
 import type { ShellSection } from "../document";
-import { make, make_button, make_choice, make_toggle } from "../dom";
+import { make, make_button, make_choice, make_label, make_toggle } from "../dom";
 import { current_palette, sample_map, watch_scheme } from "../palette";
+import { bar_range } from "../figure/ticks";
 import { write_quantity } from "../format";
 import { add_print_view } from "../print";
 import { save_canvas, save_csv } from "../save";
@@ -24,6 +25,7 @@ import { make_save_menu } from "./save_buttons";
 const positions_of_slider = 120;
 const seconds_to_play = 6;
 const contours = 20;
+const stills = 61; // pictures of the whole time: enough for a talk's slides
 const viridis = make_table((k) => sample_map("viridis", k / 255));
 
 /** What is shown now; the functions below bring the stage into agreement with it. */
@@ -56,6 +58,7 @@ function scale_of(field: DecodedField): ColourScale {
   if (!(min <= max)) [min, max] = [0, 1];
   // Equal values still need a bar of some height.
   if (min === max) [min, max] = [min - 0.5 * (Math.abs(min) || 1), max + 0.5 * (Math.abs(max) || 1)];
+  else [min, max] = bar_range(min, max);
   return { label: field.label, unit: field.unit, min, max, clipped: false, table: viridis, categorical: false };
 }
 
@@ -100,14 +103,19 @@ function animated(shown: Shown): Animated {
     shown.go(positions_of_slider * share);
     return `t = ${write_quantity(shown.time, "s")}`;
   };
-  return { name: shown.section.id, stage: shown.stage, scale: () => shown.scale, show };
+  const frames = Array.from({ length: stills }, (_unused, k) => k / (stills - 1));
+  const keep_place = () => {
+    const position = (positions_of_slider * shown.time) / shown.data.end;
+    return (): void => shown.go(position);
+  };
+  return { name: shown.section.id, stage: shown.stage, scale: () => shown.scale, show, frames, keep_place };
 }
 
 function add_controls(controls: HTMLElement, shown: Shown): void {
   const fields = shown.data.fields.map(({ label }, k) => ({ value: String(k), text: label }));
   controls.append(make_choice("Colour", fields, "0", (value) => choose_field(shown, Number(value))));
   for (const { label, title, object } of shown.overlays) {
-    controls.append(make_toggle(label, title, object.visible, (on) => {
+    controls.append(make_toggle(make_label(label), title, object.visible, (on) => {
       object.visible = on;
       shown.stage.redraw();
     }));

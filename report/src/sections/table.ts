@@ -4,6 +4,7 @@ import { make, make_button, make_label } from "../dom";
 import { choose_unit, largest_magnitude, type ShownUnit, write_number } from "../format";
 import { save_csv } from "../save";
 import { make_section } from "./parts";
+import { make_scroll } from "./scroll";
 
 /** Every column is in the unit that suits its largest number, as a chart of it would be. */
 function units_of(section: TableSection): ShownUnit[] {
@@ -23,8 +24,11 @@ function make_head(section: TableSection, units: ShownUnit[]): HTMLElement {
   return make("thead", {}, make("tr", {}, ...cells));
 }
 
+/** Letters of a text that stay on one line, such as an interval. */
+const longest_line = 24;
+
 function make_cell(value: string | number | null | undefined, factor: number): HTMLElement {
-  if (typeof value === "string") return make("td", { class: "text" }, make_label(value));
+  if (typeof value === "string") return make("td", { class: value.length > longest_line ? "text" : "text short" }, make_label(value));
   return make("td", { "data-value": is_number(value) ? value : "" }, write_number(is_number(value) ? value * factor : value));
 }
 
@@ -34,7 +38,7 @@ export function render_table(section: TableSection): HTMLElement {
   const body = make("tbody", {}, ...section.rows.map((row) => {
     return make("tr", {}, ...section.columns.map((_column, k) => make_cell(row[k], units[k]!.factor)));
   }));
-  figure.append(make("div", { class: "scroll", tabindex: 0 }, make("table", { class: "numbers" }, make_head(section, units), body)));
+  figure.append(make_scroll(make("table", { class: "numbers" }, make_head(section, units), body)));
   controls.append(make_button("CSV", "Save the table as CSV", () => {
     save_csv(section.id, section.columns.map(({ label, unit }, k) => ({
       header: unit ? `${label} [${unit}]` : label,

@@ -1,7 +1,7 @@
 // The headlines of a report: large numbers, each with its course over the run and what changed.
 import { type ComparedFact, is_number, type ReportDocument } from "../document";
 import { make, make_label, make_svg } from "../dom";
-import { choose_unit, write_number, write_quantity } from "../format";
+import { choose_unit, is_component, write_number, write_quantity } from "../format";
 import { choose_compared, choose_headlines, type Headline } from "../headline";
 import { make_sample, unit_of } from "./comparison";
 
@@ -24,17 +24,37 @@ function draw_spark({ x, values }: NonNullable<Headline["course"]>): SVGSVGEleme
   );
 }
 
-/** Says where a number came from; an amount that began at nothing has no share. */
-function tell_change({ value, unit, course }: Headline): string | undefined {
+/** Tells shares and components of tensors from counts and from amounts with a unit. */
+function is_share({ label, value, unit }: Headline, first: number): boolean {
+  return is_component(label) || unit === "%" || ((!unit || unit === "1") && !(Number.isInteger(value) && Number.isInteger(first)));
+}
+
+function sign(change: number, magnitude: string): string {
+  return `${change < 0 ? "\u2212" : "+"}${magnitude}`;
+}
+
+/** Says where a number came from: a share by the difference, all else in per cent; an amount that began at nothing has none. */
+function tell_change(headline: Headline): string | undefined {
+  const { value, unit, course } = headline;
   const first = course?.values.find(is_number);
   if (first === undefined || !is_number(value)) return undefined;
-  if (Math.abs(value - first) <= 1e-9 * Math.abs(first)) return "as at the start";
+  const change = value - first;
+  if (Math.abs(change) <= 1e-9 * Math.abs(first)) return "as at the start";
   const from = `from ${write_quantity(first, unit, 3)}`;
+  if (is_share(headline, first)) return `${from}, ${sign(change, write_quantity(Math.abs(change), unit === "%" ? "points" : unit, 3))}`;
   if (!(Math.abs(first) > 1e-9 * Math.abs(value)) || first * value < 0) return from;
-  const share = (100 * (value - first)) / Math.abs(first);
+  const share = (100 * change) / Math.abs(first);
   if (Math.abs(share) >= 1000) return from;
-  const digits = write_number(Number(Math.abs(share).toPrecision(2)), 2);
-  return `${from}, ${share < 0 ? "\u2212" : "+"}${digits}\u2009%`;
+  return `${from}, ${sign(change, write_number(Number(Math.abs(share).toPrecision(2)), 2))}\u2009%`;
+}
+
+/** Letters of a number beyond which it is set smaller. */
+const longest_large = 8;
+
+/** Sets a number and its unit; a line may end between them, never inside of one. */
+function make_tile_value(number: string, unit: string): HTMLElement {
+  const value = make("span", { class: number.length > longest_large ? "number long" : "number" }, number);
+  return make("span", { class: "tile-value" }, value, ...(unit ? [" ", make("span", { class: "unit" }, unit)] : []));
 }
 
 function make_tile(headline: Headline): HTMLElement {
@@ -44,7 +64,7 @@ function make_tile(headline: Headline): HTMLElement {
   const tile = make(
     "li", { class: "tile", "data-label": label, "data-value": value ?? "" },
     make("span", { class: "tile-label" }, make_label(label)),
-    make("span", { class: "tile-value" }, number, shown.unit ? make("span", { class: "unit" }, `\u2009${shown.unit}`) : ""),
+    make_tile_value(number, shown.unit),
   );
   const drawn = headline.course && draw_spark(headline.course);
   if (drawn) tile.append(drawn);

@@ -49,5 +49,7 @@ export function read_quantity(text, unit) {
 
 export const is_number = (value) => typeof value === "number" && Number.isFinite(value);
 
-/** The text of a label without its marks for subscripts. */
-export const plain_label = (label) => label.replace(/(?<![A-Za-z0-9_])(\p{L})_([A-Za-z0-9]{1,6})(?![A-Za-z0-9_])/gu, "$1$2");
+/** The text of a label without its marks for subscripts; components of tensors have a small letter. */
+export const plain_label = (label) => label
+  .replace(/(?<![\p{L}\d_])(\p{L})_([A-Za-z0-9]{1,6})(?![\p{L}\d_])/gu, "$1$2")
+  .replace(/(?<![\p{L}\d_])A(([1-3]{2}){1,2})(?![\p{L}\d_])/gu, "a$1");

@@ -1,5 +1,6 @@
 // Checks of the cell in 3D: what is drawn at the first and last time, colours, pointing, playing.
 import { read_number, read_quantity, unit_factor } from "./expect.mjs";
+import { check_cancelled_film, check_saved_frames } from "./saved.mjs";
 import { decode, move_slider, read_pixels } from "./stage.mjs";
 
 function read_frame(frame) {
@@ -184,6 +185,8 @@ export async function check_fibers(page, document_section, expect) {
       await move_slider(section, frames.length - 1);
     }
     await check_player(section, stage, frames.length, expect, id);
+    await check_saved_frames(page, document_section, expect);
+    await check_cancelled_film(page, document_section, expect);
   }
   await check_colourings(section, stage, expect, id);
   await check_colour_bar(section, frames.map(read_frame), expect, id);

@@ -1,6 +1,7 @@
 // Checks of curves: legend, values under the cursor, pixels, zoom, and the vector figure read back by its ticks.
 import { is_number, plain_label, read_number, unit_factor } from "./expect.mjs";
 import { read_axis, read_edges, with_print_figure } from "./figure.mjs";
+import { check_saved_chart } from "./saved.mjs";
 
 const last_of = (values) => values.filter(is_number).at(-1) ?? null;
 
@@ -9,7 +10,17 @@ async function read_factors(page, section) {
   return { x: unit_factor(await unit_of("x"), section.x.unit), y: unit_factor(await unit_of("y"), section.y.unit) };
 }
 
+/** The last values are told where they are the outcome: over time and strain. */
+async function check_last(page, section, expect) {
+  if (section.legend === "names" || section.series.length === 0) return;
+  const over_time = ["s", "min", "h"].includes(section.x.unit) || /\b(time|strain|steps?|revolutions)\b/i.test(section.x.label);
+  const told = await page.locator(`[id="${section.id}"] .legend .reading`).first().evaluate((reading) => getComputedStyle(reading).visibility);
+  expect.equal(told, over_time ? "visible" : "hidden", `${section.id}: last values over ${section.x.label}`);
+  expect.equal(await page.locator(`[id="${section.id}"] .where`).textContent(), over_time ? "last values" : "", `${section.id}: what the legend tells`);
+}
+
 async function check_legend(page, section, factors, expect) {
+  await check_last(page, section, expect);
   const values = page.locator(`[id="${section.id}"] .legend .value`);
   expect.equal(await values.count(), section.series.length, `${section.id}: legend entries`);
   const largest = Math.max(0, ...section.series.flatMap((series) => series.values.filter(is_number).map(Math.abs)));
@@ -186,6 +197,7 @@ export async function check_lines(page, section, expect) {
   await check_pixels(page, section, expect);
   await check_cursor(page, section, factors, expect);
   await check_figure(page, section, factors, expect);
+  await check_saved_chart(page, section, expect);
   const linear = section.x.scale !== "log" && (section.x.values ?? []).length > 3;
   if (linear && section.kind === "lines") await check_zoom(page, section, expect);
   if (linear && section.id === "orientation") await check_log_axis(page, section, expect);

@@ -4,8 +4,9 @@ import { is_number, plain_label, read_number, unit_factor } from "./expect.mjs";
 import { check_maps, check_series_colours } from "./colours.mjs";
 
 export const looks = {
-  wide: { viewport: { width: 1500, height: 950 } },
+  wide: { viewport: { width: 1400, height: 950 } },
   laptop: { viewport: { width: 1280, height: 800 } },
+  tablet: { viewport: { width: 800, height: 1100 } },
   narrow: { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true },
   dark: { viewport: { width: 1280, height: 800 }, colorScheme: "dark" },
   print: { viewport: { width: 1280, height: 900 } },
@@ -84,6 +85,61 @@ async function check_room(page, name, expect) {
   expect.equal([...new Set(faults)].slice(0, 8).join("; "), "", `${name}: room for text`);
 }
 
+/** No text and no table sticks out of a box that holds it at its left or right, unless that box scrolls. */
+async function check_boxes(page, name, expect) {
+  const faults = await page.evaluate(() => {
+    const told = [];
+    const check = (holder, places, what) => {
+      if (!holder.checkVisibility()) return;
+      for (let box = holder; box.id !== "page"; box = box.parentElement) {
+        const { display, overflowX, position } = getComputedStyle(box);
+        const { left, right } = box.getBoundingClientRect();
+        const out = Math.max(...places.map((place) => Math.max(left - place.left, place.right - right)));
+        const holds = display !== "inline" && display !== "contents" && overflowX === "visible";
+        if (holds && out > 1) told.push(`${what} sticks ${out.toFixed(0)} px out of ${box.tagName}.${box.className} in ${box.closest("section")?.id}`);
+        if (overflowX !== "visible" || position === "absolute") return;
+      }
+    };
+    const walker = document.createTreeWalker(document.querySelector("#page"), NodeFilter.SHOW_TEXT);
+    for (let text = walker.nextNode(); text; text = walker.nextNode()) {
+      if (text.data.trim() === "" || text.parentElement.closest("svg, option")) continue;
+      const range = document.createRange();
+      range.selectNodeContents(text);
+      check(text.parentElement, [...range.getClientRects()], `“${text.data.slice(0, 40)}”`);
+    }
+    for (const table of document.querySelectorAll("table")) check(table.parentElement, [table.getBoundingClientRect()], `the table “${table.textContent.slice(0, 40)}”`);
+    return told;
+  });
+  expect.equal([...new Set(faults)].slice(0, 8).join("; "), "", `${name}: text in its box`);
+}
+
+/** Boxes that scroll say so at the edge beyond which there is more; labels on a part are whole. */
+async function check_edges(page, name, expect) {
+  const faults = await page.evaluate(() => {
+    const scrolls = [...document.querySelectorAll(".scroll")].filter((box) => box.checkVisibility());
+    const unmarked = scrolls.filter((box) => (box.scrollWidth > box.clientWidth + 1) !== box.classList.contains("more-right"));
+    const labels = [...document.querySelectorAll(".place")].filter((label) => label.textContent !== "" && label.checkVisibility());
+    const cut = labels.filter((label) => {
+      const [own, whole] = [label, label.parentElement].map((box) => box.getBoundingClientRect());
+      return own.left < whole.left - 1 || own.right > whole.right + 1;
+    });
+    return [...unmarked.map((box) => `the table of ${box.closest("section").id} does not say whether it scrolls`), ...cut.map((label) => `the label “${label.textContent}” is cut`)];
+  });
+  expect.equal(faults.join("; "), "", `${name}: edges`);
+}
+
+/** Every menu opens inside the window. */
+async function check_menus(page, name, expect) {
+  const faults = await page.evaluate(() => [...document.querySelectorAll("details.menu")].map((menu) => {
+    menu.open = true;
+    menu.dispatchEvent(new Event("toggle"));
+    const { left, right } = menu.querySelector(".entries").getBoundingClientRect();
+    menu.open = false;
+    return left >= 0 && right <= document.documentElement.clientWidth ? "" : `the menu of ${menu.closest("section").id} reaches from ${left} to ${right}`;
+  }).filter(Boolean));
+  expect.equal(faults.join("; "), "", `${name}: menus`);
+}
+
 /** What no reader should meet: a zero with a sign, one of many. */
 async function check_wording(page, name, expect) {
   const text = await page.locator("body").innerText();
@@ -96,7 +152,7 @@ async function check_columns(page, name, expect) {
     const charts = document.querySelector(".charts");
     return charts ? getComputedStyle(charts).gridTemplateColumns.split(" ").length : 0;
   });
-  if (columns > 0) expect.equal(columns, name === "narrow" ? 1 : 2, `${name}: charts abreast`);
+  if (columns > 0) expect.equal(columns, name === "narrow" || name === "tablet" ? 1 : 2, `${name}: charts abreast`);
 }
 
 /** The wheel scrolls the page over a view, and zooms it only when the reader has clicked it. */
@@ -131,6 +187,11 @@ async function check_paper(page, expect) {
   await check_columns(page, "print", expect);
   const heights = await page.locator(".charts > section:not(.role-wide)").evaluateAll((sections) => sections.map((section) => [section.id, section.getBoundingClientRect().height]));
   for (const [id, height] of heights) expect.that(height <= 1017 / 2, `${id}: ${height} px high on paper`);
+  const pages = await page.locator(".charts").evaluateAll(([charts]) => [...(charts?.children ?? [])].reduce((counts, chart) => {
+    counts[counts.length - 1] += chart.classList.contains("role-wide") ? 2 : 1;
+    return chart.classList.contains("page-end") ? [...counts, 0] : counts;
+  }, [0]));
+  expect.that(pages.every((count) => count <= 4), `print: ${pages.join(", ")} charts on the pages`);
   await check_room(page, "print", expect);
   const pdf = await page.pdf({ preferCSSPageSize: true });
   expect.that(pdf.length > 10_000, "the page prints");
@@ -146,6 +207,9 @@ export async function check_look(page, name, expect) {
   await page.evaluate(() => document.querySelectorAll("details.fold").forEach((folded) => { folded.open = true; }));
   await settle(page);
   await check_room(page, name, expect);
+  await check_boxes(page, name, expect);
+  await check_menus(page, name, expect);
+  await check_edges(page, name, expect);
   await check_wording(page, name, expect);
   if (name === "wide" || name === "dark") await check_series_colours(page, name, expect);
   if (name === "wide") await check_maps(page, expect);

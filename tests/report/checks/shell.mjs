@@ -45,13 +45,16 @@ async function check_fields(element, stage, section, part, expect) {
     expect.equal(await stage.getAttribute("data-colouring"), label, `${section.id}: colouring`);
     const title = await element.locator(".colour-bar").getAttribute("aria-label");
     const values = part.fields[k].flatMap((frame) => [...frame]).filter(Number.isFinite);
-    const [low, high] = [Math.min(...values), Math.max(...values)];
+    const [least, high] = [Math.min(...values), Math.max(...values)];
+    const low = least > 0 && least < 0.05 * high ? 0 : least;
     const shown_unit = /\(([^()]*)\)$/.exec(title)?.[1] ?? "";
     const ticks = (await element.locator(".colour-bar svg text").allTextContents()).map((text) => read_number(text) * unit_factor(shown_unit, unit));
-    // The ends of the bar are written with three digits.
-    const slack = 1e-3 * (high - low) + 5e-3 * Math.max(Math.abs(low), Math.abs(high));
-    const inside = low === high || ticks.every((tick) => tick >= low - slack && tick <= high + slack);
+    const slack = 1e-6 * Math.max(Math.abs(low), Math.abs(high));
+    const inside = least === high || ticks.every((tick) => tick >= low - slack && tick <= high + slack);
     expect.that(ticks.length >= 2 && inside, `${section.id}: ticks ${ticks} of ${label} lie between ${low} and ${high}`);
+    const shown = await element.locator(".colour-bar svg text").allTextContents();
+    expect.that(shown.every((text) => text.replace(/×.*|[\s−.]/gu, "").replace(/^0+|0+$/g, "").length <= 6), `${section.id}: ticks ${shown} of ${label} are round`);
+    if (low === 0) expect.that(shown.includes("0"), `${section.id}: the bar of ${label} begins at 0, found ${shown}`);
   }
   await select.selectOption("0");
 }
