@@ -48,6 +48,10 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME fiberfate)
 set(CPACK_PACKAGE_CONTACT "The fiberfate developers <fiberfate@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "${PROJECT_DESCRIPTION}
+ Every glass fiber is a chain of rods in sheared melt: drag, bending, contact, friction and breakage decide what becomes of it.
+ Laws of orientation and attrition follow fibers at points and in filling molds, and are fitted to measurements.
+ With the program, a library for C++ and C, a manual page, the documentation and a gallery of cases.")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)

@@ -50,7 +50,7 @@ std::string next_step(const Ending& ending, const std::string& path) {
     case StopReason::signal:
       break;
   }
-  return fmt::format("stopped by a signal; go on: fiberfate resume {}", word);
+  return fmt::format("interrupted, and saved; go on: fiberfate resume {}", word);
 }
 
 /// Writes what the study computes and shows its headlines.

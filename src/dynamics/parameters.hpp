@@ -9,7 +9,7 @@
 
 namespace fiberfate {
 
-/// Who chooses the time step.
+/// How the time step is chosen.
 enum class StepControl { fixed, adaptive };
 
 /// How time is stepped.

@@ -57,7 +57,7 @@ void describe_parameter(KeyTable& table, const LawMenu& menu, const std::string&
                         const LawParameter& parameter, std::optional<double>& member) {
   std::string text = fmt::format("{}. For {}.", parameter.meaning, laws_with(menu, parameter.name));
   if (!std::isnan(parameter.standard_value))
-    text += fmt::format(" Not given: {:g} {}.", parameter.standard_value,
+    text += fmt::format(" Not given: {:g}{}{}.", parameter.standard_value, parameter.unit == "1" ? "" : " ",
                         parameter.unit == "1" ? "" : parameter.unit);
   table.quantity(section + '.' + parameter.name, member,
                  {.text = text, .unit = parameter.unit, .friendly = friendly_unit(parameter)});

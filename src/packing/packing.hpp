@@ -58,7 +58,7 @@ struct PackingRequest {
   /// fibers, but spaces them more evenly than chance (PackingReport::pair_distances shows by how much). 2.5
   /// to 4 at 20 % by volume.
   double swelling = 4;
-  double minimum_radius = 0;             ///< smallest radius of curvature wanted, m; 0: as large as comes
+  double minimum_radius = 0;             ///< smallest radius of curvature wanted, m; 0: no limit given
   double overlap_tolerance = 0.01;       ///< largest overlap allowed, in diameters
   double orientation_tolerance = 0.005;  ///< largest error allowed in any component of A2
   /// The law of contact under which the packing comes to rest: the one that will be run, taken for the

@@ -33,7 +33,7 @@ KeyRow<RunChoices> threads_key() {
 KeyRows<SeriesChoices> series_rows() {
   return {
       key("interval", &SeriesChoices::interval, {"s"}, Range::positive(),
-          "Simulated time between rows of series.csv; not given: a 200th of the duration, or only rows at "
+          "Simulated time between rows of series.csv; not given: 1/200 of the duration, or only rows at "
           "output.times.",
           optional("\"0.05 s\"")),
       key("times", &SeriesChoices::times, {"s"}, Range::not_negative(),

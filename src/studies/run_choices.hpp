@@ -26,9 +26,8 @@ struct RunChoices {
 
 /// [output] of a study whose rows of series.csv come at times of its choice.
 struct SeriesChoices {
-  std::optional<double>
-      interval;               ///< s; not given: a 200th of the duration, or only `times` where it has some
-  std::vector<double> times;  ///< s
+  std::optional<double> interval;  ///< s; not given: 1/200 of the duration, or only `times` where it has some
+  std::vector<double> times;       ///< s
 };
 
 /// The keys `interval` and `times`.

@@ -30,7 +30,7 @@ namespace fiberfate {
 /// Beads of the real-valued number m = l/(2a), so that the rods of a straight fiber add up to the fiber
 /// itself and r_e = sqrt((m² + 1)/2). Valid for l >= 2a.
 struct BeadDrag {
-  static constexpr LawText text = {"beads", "a chain of touching beads, their number a real one",
+  static constexpr LawText text = {"beads", "a chain of touching beads, whose number need not be whole",
                                    "thesis equations 3.4 to 3.9"};
   double viscosity;  ///< eta, Pa s
   [[nodiscard]] RodDrag operator()(const RodShape& rod) const {

@@ -23,7 +23,7 @@ std::string size_in_words(double ratio, double freedom) {
     return size +
            ": the law misses something, or the uncertainties are stated too small. A pattern in the "
            "residuals "
-           "speaks for the law.";
+           "points to the law as the cause.";
   if (ratio < 1 - telling * scatter)
     return size + ": smaller than they should be, so the uncertainties are stated too large.";
   return size + ": the law describes the data within what is known of them.";
@@ -31,19 +31,18 @@ std::string size_in_words(double ratio, double freedom) {
 
 std::string runs_in_words(double runs, double expected, double deviations) {
   const std::string counts = fmt::format(
-      "The residuals lie in {:.0f} runs on one side or the other of the fit, of noise {:.3g} are expected",
-      runs, expected);
-  if (deviations < -telling)
-    return counts + ": neighbours go together, so the law bends elsewhere than the data.";
+      "The residuals form {:.0f} runs of one sign, where noise would form {:.3g}", runs, expected);
+  if (deviations < -telling) return counts + ": neighbours go together, so the law does not follow the data.";
   if (deviations > telling) return counts + ": neighbours alternate more than noise would.";
-  return counts + ": no pattern is seen.";
+  return counts + ": no pattern.";
 }
 
 const char* told_apart(double correlation) {
   const double size = std::abs(correlation);
   if (size > 0.99) return "hardly told apart: more of one makes up for the other";
-  if (size > 0.9) return "they trade against each other; further conditions would part them";
-  if (size > 0.5) return "they trade a little against each other";
+  if (size > 0.9)
+    return "correlated: more of one makes up for part of the other; further conditions would tell them apart";
+  if (size > 0.5) return "weakly correlated";
   return "told apart well";
 }
 

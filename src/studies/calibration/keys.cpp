@@ -94,7 +94,7 @@ KeyGroup<CalibrationSearch> search_keys() {
               {"bounds", describe_bounds},
               key("scope", &Search::scope, scopes, "Whether conditions share the parameters."),
               key("starts", &Search::starts, {}, Range::between(1, 10000),
-                  "Searches from as many places; the best is kept."),
+                  "Starting points of the search; the best fit is kept."),
               key("level", &Search::level, {}, Range::inside(0, 1), "Confidence of the intervals."),
               key("profiles", &Search::profiles, profiles,
                   "Intervals by profiles of the likelihood; each takes as long as some dozens of fits."),

@@ -50,8 +50,8 @@ FactsSection quality(const CalibrationCase& values, const SummaryFile& summary, 
                                     {"Observations", summary.count(key("observations")), "",
                                      freedom_in_words(summary.count(key("degrees_of_freedom"))), prominence},
                                     {"Sum of weighted squares", summary.number(key("chi_square"))},
-                                    {"Scale of the noise", summary.number(key("noise_scale")), "",
-                                     "over the given uncertainties"},
+                                    {"Scatter over the stated uncertainties",
+                                     summary.number(key("noise_scale")), "", "over the given uncertainties"},
                                     {"Converged", summary.text(key("converged"))}});
   return section;
 }

@@ -19,7 +19,7 @@ void describe_cluster(KeyTable& table, ClusterCase& values) {
       "run", "With which random numbers, on how many threads.", {seed_key(), threads_key()}};
   const KeyGroup<BoundaryChoices> boundary = {
       "boundary",
-      "How the cell ends.",
+      "What bounds the cell.",
       {key("y", &BoundaryChoices::y, ends, "How the cell ends along y; in x and z it is periodic.")}};
   const KeyGroup<ContactParameters> contact = {
       "contact", "The contact law under which the packing comes to rest: the one that will be run.",

@@ -82,7 +82,7 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
   add("Largest overlap", fmt::format("{:.3g} D", sample.cluster.overlap_tolerance),
       fmt::format("{:.3g} D", summary.number("max_overlap_diameters")));
   add("Smallest radius of curvature",
-      sample.cluster.minimum_radius > 0 ? micrometres(sample.cluster.minimum_radius) : "as large as comes",
+      sample.cluster.minimum_radius > 0 ? micrometres(sample.cluster.minimum_radius) : "no limit given",
       micrometres(summary.number("min_radius_m")));
   return table;
 }
@@ -90,19 +90,20 @@ TableSection comparison(const ClusterCase& values, const SummaryFile& summary) {
 FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", outcome_facts(summary)};
   append<Fact, Fact>(
-      section.rows, {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
-                     {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
-                     {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
-                     {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
-                     {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
-                     {"Contacts a fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
-                      "theory of Toll for straight fibers"},
-                     {"Left", summary.text("packing_end") == "at_rest" ? "at rest under the contact law"
-                                                                       : "as it was parted"},
-                     {"Largest overlap at rest under the contact law",
-                      summary.number("max_overlap_at_rest_diameters"), "diameters"},
-                     {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
-                     {"Packing steps", summary.count("packing_steps")}});
+      section.rows,
+      {{"Orientation error", summary.number("orientation_error"), "", "largest component"},
+       {"Largest overlap", summary.number("max_overlap_diameters"), "diameters"},
+       {"Mean curvature", summary.number("mean_curvature_per_m"), "1/m"},
+       {"Root mean square curvature", summary.number("rms_curvature_per_m"), "1/m"},
+       {"Hinges within 10 % of the smallest radius", 100 * summary.number("sharp_hinges"), "%"},
+       {"Contacts per fiber, placed at random", summary.number("contacts_per_fiber_random"), "",
+        "theory of Toll for straight fibers"},
+       {"Packing ended", summary.text("packing_end") == "at_rest" ? "at rest under the contact law"
+                                                                  : "once nothing overlapped"},
+       {"Largest overlap at rest under the contact law", summary.number("max_overlap_at_rest_diameters"),
+        "diameters"},
+       {"Smallest radius at rest", summary.number("min_radius_at_rest_m"), "m"},
+       {"Packing steps", summary.count("packing_steps")}});
   if (!summary.text("relaxation_end").empty())
     append<Fact, Fact>(section.rows,
                        {{"Relaxation ended", summary.text("relaxation_end")},
@@ -121,7 +122,7 @@ TableSection fourth_moments(const SummaryFile& summary) {
     table.rows.push_back({fmt::format("a_{0}{0}{1}{1}", i + 1, j + 1),
                           fmt::format("{:.5f}", drawn.at(6 * i + j)),
                           fmt::format("{:.5f}", reached.at(6 * i + j))});
-  table.caption = "Length-weighted; what a closure would have to guess from A_2.";
+  table.caption = "Length-weighted; what a closure approximates from A_2.";
   return table;
 }
 
@@ -131,14 +132,18 @@ HistogramSection lengths(const SummaryFile& summary) {
   section.frames.push_back({"this cluster", summary.numbers("length_fibers")});
   section.reference = HistogramFrame{"asked", summary.numbers("length_fibers_asked")};
   const std::int64_t bins = summary.count("length_chi_square_bins");
-  section.caption = fmt::format("Chi-square against the input: {:.3g} over {} {}.",
+  section.caption = fmt::format("Chi-square against the lengths asked for: {:.3g} ({} {}).",
                                 summary.number("length_chi_square"), bins, bins == 1 ? "bin" : "bins");
   return section;
 }
 
 LinesSection pair_section(const SummaryFile& summary) {
-  LinesSection section{
-      "pair_distances", "Neighbours by distance", {"axis distance", "diameters"}, {"places a fiber"}, {}, {}};
+  LinesSection section{"pair_distances",
+                       "Neighbours by distance",
+                       {"axis distance", "diameters"},
+                       {"neighbours per fiber"},
+                       {},
+                       {}};
   const std::vector<double> low = summary.numbers("pair_distance_low_diameters");
   const std::vector<double> high = summary.numbers("pair_distance_high_diameters");
   for (std::size_t i = 0; i < low.size(); ++i) section.x_values.push_back(0.5 * (low[i] + high[i]));

@@ -97,7 +97,7 @@ TableSection quantiles(const ResultFolder& folder) {
       "Quantiles",
       {{"share", "%"}, {"by number", "m"}, {"by length", "m"}},
       {},
-      "Such a share of the fibers, and of the total length, is in fibers up to this length."};
+      "Length up to which the fibers hold the given share of their number and of their total length."};
   const std::vector<double> shares = percent(table, "share");
   for (std::size_t i = 0; i < table.rows(); ++i)
     section.rows.push_back({shares[i], table.column("by_number_m")[i], table.column("by_length_m")[i]});
@@ -154,7 +154,8 @@ std::vector<Fact> length_facts(const MeasurementCase& values, const SummaryFile&
   std::vector<Fact> facts = {
       {"L_N", number_average, "m", interval(values, summary, "L_N"), Prominence::headline},
       {"L_W", weight_average, "m", interval(values, summary, "L_W"), Prominence::headline},
-      {"L_W over L_N", weight_average / number_average, "", "1 where all are alike", Prominence::headline}};
+      {"L_W over L_N", weight_average / number_average, "", "1 if all fibers have the same length",
+       Prominence::headline}};
   if (std::filesystem::exists(folder.file("quantiles.csv"))) {
     const CsvTable quantiles = read_rows(folder.file("quantiles.csv"));
     facts.push_back({"Median length", median(quantiles, "by_number_m"), "m", "half of the fibers are shorter",

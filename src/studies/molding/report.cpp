@@ -41,16 +41,17 @@ FactsSection asked(const MoldingCase& values) {
 
 FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", {}};
-  section.rows = {{"End", summary.text("filling_end")},
-                  {"Filled share of the cavity", summary.number("filled_fraction")},
-                  {"Time", summary.number("simulated_s"), "s"},
-                  {"Greatest pressure at the sprue", summary.number("greatest_sprue_pressure_Pa"), "Pa"},
-                  {"Volume of the part", 1e6 * summary.number("volume_m3"), "cm^3"},
-                  {"L_N of the part", summary.number("L_N_m"), "m"},
-                  {"L_W of the part", summary.number("L_W_m"), "m"},
-                  {"A_2 of the part", summary.tensor("A2"), "", "in the axes of the part"},
-                  {"Volume lost or made", summary.number("volume_error"), "", "over the volume of the part"},
-                  {"Heat lost or made", summary.number("heat_error"), "", "over the heat that came in"}};
+  section.rows = {
+      {"End", summary.text("filling_end")},
+      {"Filled share of the cavity", summary.number("filled_fraction")},
+      {"Time", summary.number("simulated_s"), "s"},
+      {"Greatest pressure at the sprue", summary.number("greatest_sprue_pressure_Pa"), "Pa"},
+      {"Volume of the part", 1e6 * summary.number("volume_m3"), "cm^3"},
+      {"L_N of the part", summary.number("L_N_m"), "m"},
+      {"L_W of the part", summary.number("L_W_m"), "m"},
+      {"A_2 of the part", summary.tensor("A2"), "", "in the axes of the part"},
+      {"Error of the volume balance", summary.number("volume_error"), "", "over the volume of the part"},
+      {"Heat lost or made", summary.number("heat_error"), "", "over the heat that came in"}};
   return section;
 }
 
@@ -67,7 +68,7 @@ FactsSection effort(const SummaryFile& summary) {
            {"Heat", summary.number("filling_heat_s"), "s"},
            {"Lengths", summary.number("filling_lengths_s"), "s"},
            {"Orientation", summary.number("filling_orientation_s"), "s"},
-           {"Largest memory", summary.number("peak_memory_bytes") / 1048576, "MiB"}}};
+           {"Peak memory", summary.number("peak_memory_bytes") / 1048576, "MiB"}}};
 }
 
 /// Draws pressures, flow rates and the filled share over time.
@@ -76,8 +77,8 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
   for (LinesSection& chart : draw(filling_charts(), filling_observables(gates), series)) {
     if (chart.id == "pressure")
       chart.caption =
-          "Once the volume of the cavity is in, the sprue keeps the machine's last pressure, and those of "
-          "the gates are what still moves melt to the last free places.";
+          "In the step that brings in the last melt, pressures stay those of the step before: the few places "
+          "that are free at last have no front of their own.";
     if (chart.y.unit == "m3/s") {
       chart.y.unit = "cm^3/s";
       for (ReportSeries& curve : chart.series)

@@ -59,7 +59,7 @@ const std::vector<Chart>& orientation_charts() {
   static const std::vector<Chart> charts = {
       {"components", "Orientation tensor", "component"},
       {"principal_values", "Principal values", "principal value"},
-      {"stretching", "Share of the flow that stretches fibers", "D:A4:D/D:D"},
+      {"stretching", "Share of the flow that stretches the fibers, D:A4:D/D:D", "D:A4:D/D:D"},
       {"stress", "Extra stress", "stress"},
       {"viscosity", "Viscosity", "viscosity"}};
   return charts;

@@ -85,6 +85,13 @@ CaseEstimate estimate_sample(const SampleCase& sample, const std::optional<Sampl
       {"weight fraction", plan->weight_fraction
                               ? percent(*plan->weight_fraction)
                               : std::string("unknown (needs fibers.density and matrix.density)")}};
+  // Fibers that meet their own images are allowed, and move less freely than others.
+  const double shortest_edge = plan->cell_size.minCoeff(), length = sample.fibers.length.value_or(0);
+  if (length > shortest_edge)
+    estimate.facts.emplace_back(
+        "fiber length",
+        fmt::format("{:.4g} mm, {:.3g} times the shortest edge of the cell: fibers meet their own images",
+                    1e3 * length, length / shortest_edge));
   return estimate;
 }
 

@@ -100,9 +100,9 @@ std::vector<Fact> sample_facts(const SampleCase& sample) {
     facts.push_back({"Fibers read from", sample.cluster.file});
   if (!sample.cluster.directions.empty())
     facts.push_back(
-        {"Orientation wanted", fmt::format("{} measured directions", sample.cluster.directions.size())});
+        {"Orientation asked for", fmt::format("{} measured directions", sample.cluster.directions.size())});
   else if (sample.cluster.source == ClusterSource::generate)
-    facts.push_back({"Orientation wanted", sample.cluster.orientation, "", "A_2 by length"});
+    facts.push_back({"Orientation asked for", sample.cluster.orientation, "", "A_2 by length"});
   return facts;
 }
 
@@ -113,7 +113,7 @@ std::vector<Fact> outcome_facts(const SummaryFile& summary) {
           {"L_W", summary.number("L_W_m"), "m"},
           {"Volume fraction", 100 * summary.number("volume_fraction"), "%"},
           {"Smallest radius of curvature", summary.number("min_radius_m"), "m"},
-          {"Contacts a fiber", summary.number("contacts_per_fiber")},
+          {"Contacts per fiber", summary.number("contacts_per_fiber")},
           {"Largest overlap", summary.number("max_overlap_radii"), "radii"},
           {"Orientation A_2", summary.tensor("A2"), "", "by length"}};
 }
@@ -123,14 +123,14 @@ FactsSection effort_section(const SummaryFile& summary) {
   section.rows = {{"Wall time", summary.number("wall_s"), "s"},
                   {"Processor time", summary.number("cpu_s"), "s"},
                   {"Threads", summary.count("threads")},
-                  {"Largest memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
+                  {"Peak memory", summary.number("peak_memory_bytes") / (1 << 20), "MiB"}};
   if (summary.count("steps") == 0) return section;
   section.rows.push_back({"Steps", summary.count("steps")});
   section.rows.push_back(
-      {"Rod-steps a second", summary.number("segment_steps_per_s"), "", "of stepping, without output"});
+      {"Rod-steps per second", summary.number("segment_steps_per_s"), "", "of stepping, without output"});
   const std::vector<double> seconds = summary.timings();
   for (std::size_t phase = 0; phase < phase_count; ++phase)
-    section.rows.push_back({std::string("Phase ") + phase_names[phase], seconds[phase], "s"});
+    section.rows.push_back({fmt::format("Time for {}", phase_names[phase]), seconds[phase], "s"});
   return section;
 }
 

@@ -132,7 +132,7 @@ KeyRows<ClusterChoices> packing_rows() {
       key("overlap_tolerance", &Cluster::overlap_tolerance, {}, Range::positive(1),
           "Largest overlap of two fibers that is let pass, in diameters."),
       key("orientation_tolerance", &Cluster::orientation_tolerance, {}, Range::positive(1),
-          "Largest error that is let pass in any component of the orientation tensor."),
+          "Largest accepted error of any component of A2 of the packed fibers."),
       key("step_limit", &Cluster::step_limit, {}, Range::between(1, 1e8),
           "Most steps of relaxation before packing gives up."),
   };

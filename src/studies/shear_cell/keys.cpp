@@ -44,7 +44,7 @@ KeyGroup<BoundaryChoices> boundary_keys() {
       {Boundary::periodic, "periodic", "the cell repeats, sheared (Lees-Edwards)"},
       {Boundary::walls, "walls", "solid walls that move with the flow at y = 0 and at the far side"}};
   return {"boundary",
-          "How the cell ends.",
+          "What bounds the cell.",
           {key("y", &BoundaryChoices::y, ends,
                "How the cell ends in the direction of the gradient; in x and z it is periodic.")}};
 }
@@ -111,7 +111,7 @@ KeyGroup<StepParameters> step_keys() {
       "step",
       "How time is stepped.",
       {
-          key("control", &Step::control, controls, "Who chooses the time step."),
+          key("control", &Step::control, controls, "How the time step is chosen."),
           key("initial", &Step::initial, {"s"}, Range::positive(10),
               "First step of \"adaptive\", every step of \"fixed\"."),
           key("minimum", &Step::minimum, {"s"}, Range::positive(10),

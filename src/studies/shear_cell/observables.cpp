@@ -112,7 +112,7 @@ const std::vector<Chart>& cell_charts() {
                                             {"orientation", "Orientation", "component of A_2"},
                                             {"breaks", "Breaks", "breaks so far"},
                                             {"near_critical", "Hinges near breaking", "hinges"},
-                                            {"contacts", "Contacts", "contacts a fiber"},
+                                            {"contacts", "Contacts", "contacts per fiber"},
                                             {"overlap", "Overlap of fibers in contact", "overlap"},
                                             {"dissipation", "Power dissipated by drag", "power"},
                                             {"step", "Step size", "step", AxisScale::logarithmic},

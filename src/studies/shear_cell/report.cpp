@@ -36,8 +36,8 @@ void append_breakage(std::vector<Fact>& facts, const BreakageParameters& breakag
     facts.push_back({"Critical radius", certain, "m"});
     return;
   }
-  facts.push_back({"Every hinge breaks at radius", certain, "m"});
-  facts.push_back({"No hinge breaks above radius", onset, "m"});
+  facts.push_back({"Every hinge breaks at and below", certain, "m"});
+  facts.push_back({"No hinge breaks above", onset, "m"});
 }
 
 void append_contact(std::vector<Fact>& facts, const ContactParameters& contact) {

@@ -35,7 +35,7 @@ struct RunOutcome {
   std::int64_t rejections = 0;
   double stepping_seconds = 0;  ///< wall time inside the steps: everything but output
 
-  /// Rod-steps a second of stepping.
+  /// Rod-steps per second of stepping.
   [[nodiscard]] double speed() const {
     return stepping_seconds > 0 ? static_cast<double>(rod_steps) / stepping_seconds : 0;
   }
