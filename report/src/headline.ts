@@ -40,14 +40,14 @@ function course_of(found: ReportDocument, label: string, value: number): Headlin
   return { x: match.series.x ?? match.section.x.values ?? [], values: match.series.values };
 }
 
-/** A tensor stands for itself by its first component. */
+/** A tensor stands for itself by its first component, under its own name. */
 function headline_of(found: ReportDocument, fact: Fact): Headline | undefined {
   const { unit, note } = fact;
   const tensor = Array.isArray(fact.value);
   const value = tensor ? (fact.value as Value[][])[0]?.[0] : fact.value;
   if (!is_number(value)) return undefined;
   const label = tensor ? "a_11" : fact.label;
-  return { label, value, unit, note: tensor ? undefined : note, course: course_of(found, label, value) };
+  return { label, value, unit, note: tensor ? fact.label : note, course: course_of(found, label, value) };
 }
 
 /** Chooses the document's headlines, or those of its results that have a course, and others up to six. */
@@ -61,12 +61,16 @@ export function choose_headlines(found: ReportDocument): Headline[] {
 }
 
 const most_compared = 4;
+const round_off = 1e-6;
 
 /** Chooses what of several runs stands on top: the headlines, or else numbers in which the runs differ. */
 export function choose_compared(found: ReportDocument): { fact: ComparedFact; runs: string[] }[] {
   const all = compared_outcomes(found).flatMap(({ rows, runs }) => rows.map((fact) => ({ fact, runs })));
   const marked = all.filter(({ fact }) => fact.headline);
-  const differs = ({ fact }: { fact: ComparedFact }): boolean =>
-    fact.values.every(is_number) && fact.values.some((value) => value !== fact.values[0]);
+  const differs = ({ fact }: { fact: ComparedFact }): boolean => {
+    if (!fact.values.every(is_number)) return false;
+    const [least, most] = [Math.min(...fact.values), Math.max(...fact.values)];
+    return most - least > round_off * Math.max(Math.abs(least), Math.abs(most));
+  };
   return (marked.length > 0 ? marked : all.filter(differs)).slice(0, most_compared);
 }

@@ -53,14 +53,18 @@ std::string laws_with(const LawMenu& menu, const std::string& parameter) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-void describe_parameter(KeyTable& table, const LawMenu& menu, const std::string& section,
+void describe_parameter(KeyTable& table, const LawMenu& menu, const LawTable& where,
                         const LawParameter& parameter, std::optional<double>& member) {
   std::string text = fmt::format("{}. For {}.", parameter.meaning, laws_with(menu, parameter.name));
   if (!std::isnan(parameter.standard_value))
     text += fmt::format(" Not given: {:g}{}{}.", parameter.standard_value, parameter.unit == "1" ? "" : " ",
                         parameter.unit == "1" ? "" : parameter.unit);
-  table.quantity(section + '.' + parameter.name, member,
-                 {.text = text, .unit = parameter.unit, .friendly = friendly_unit(parameter)});
+  KeyNotes notes = {.text = text, .unit = parameter.unit, .friendly = friendly_unit(parameter)};
+  if (const auto shown = where.parameters.find(parameter.name); shown != where.parameters.end()) {
+    notes.need = Need::usual;
+    notes.example = shown->second;
+  }
+  table.quantity(where.section + '.' + parameter.name, member, std::move(notes));
 }
 
 void check_value(const std::string& key, const LawParameter& parameter, double value, CaseChecker& checker) {
@@ -122,7 +126,7 @@ void describe_law(KeyTable& table, const LawMenu& menu, const LawTable& where, L
     for (const LawParameter& parameter : item.parameters) {
       if (std::find(described.begin(), described.end(), parameter.name) != described.end()) continue;
       described.push_back(parameter.name);
-      describe_parameter(table, menu, where.section, parameter, choice.parameters[parameter.name]);
+      describe_parameter(table, menu, where, parameter, choice.parameters[parameter.name]);
     }
   }
 }

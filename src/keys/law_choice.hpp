@@ -46,6 +46,7 @@ struct LawTable {
   std::string text;
   std::string example;  ///< name that a template shows
   Need need = Need::required;
+  std::map<std::string, std::string> parameters = {};  ///< TOML values that a template shows, by name
 };
 
 /// Adds the key `name` and one for each parameter of any law of the menu.

@@ -66,12 +66,18 @@ KeyGroup<AttritionOutputChoices> output_keys() {
 }  // namespace
 
 void describe_attrition(KeyTable& table, AttritionCase& values) {
-  const LawTable law = {"law", "How fibers break (docs/theory/length.md).", "\"stress_induced\"",
-                        Need::required};
+  const LawTable law = {"law",
+                        "How fibers break (docs/theory/length.md).",
+                        "\"stress_induced\"",
+                        Need::required,
+                        {{"lambda", "2e-6"}, {"alpha", "1.35"}, {"k_0", "\"68000 1/s\""}, {"beta", "1.14"}}};
   const LawTable compare = {"compare", "A second law on the same fibers and flow, for comparison.",
                             "\"phelps\"", Need::optional};
-  const LawTable melt = {"melt", "Viscosity of the matrix (docs/theory/viscosity.md).", "\"newtonian\"",
-                         Need::optional};
+  const LawTable melt = {"melt",
+                         "Viscosity of the matrix (docs/theory/viscosity.md).",
+                         "\"newtonian\"",
+                         Need::optional,
+                         {{"eta_0", "\"200 Pa s\""}}};
   const KeyGroup<RunChoices> run = {"run", "How long.", {duration_key(1e9, "\"150 s\"")}};
   describe_law(table, attrition_menu(), law, values.law);
   describe_law(table, attrition_menu(), compare, values.compared);

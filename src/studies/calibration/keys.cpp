@@ -22,7 +22,7 @@ KeyGroup<CalibrationConditions> condition_keys() {
       key("pressures", &Conditions::pressures, {"Pa", "MPa"}, Range::between(0, 1e10),
           "Pressures, for [melt]; not given: none."),
       key("lengths", &Conditions::lengths, {"m", "mm"}, Range::positive(10),
-          "Fiber lengths at the start, where they differ between conditions.", optional("[\"15 mm\"]")),
+          "Fiber lengths at the start, where they differ between conditions.", usual("[\"15 mm\"]")),
       key("compressions", &Conditions::compressions, {}, Range::between(0, 1),
           "-2 D:A/rate, for " + laws_of_bins() + "; not given: 1, the worst direction."),
       texts_key("flows", &Conditions::flows,
@@ -127,7 +127,9 @@ void describe_calibration(KeyTable& table, CalibrationCase& values) {
   const LawTable law = {
       "law",
       "The attrition law that is calibrated: values from which its parameters start, or which they keep.",
-      "\"stress_induced\"", Need::usual};
+      "\"stress_induced\"",
+      Need::usual,
+      {{"lambda", "1e-5"}, {"alpha", "1.2"}, {"k_0", "\"5000 1/s\""}, {"beta", "1"}}};
   const LawTable orientation = {"orientation", "The orientation law that is calibrated, instead of [law].",
                                 "\"rsc\"", Need::optional};
   const LawTable melt = {"melt", "Viscosity of the matrix, where conditions.viscosities is not given.",

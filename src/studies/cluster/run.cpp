@@ -154,6 +154,11 @@ Outcome outcome_of(const ClusterCase& values, const Cluster& cluster) {
   outcome.headlines.push_back(headline(cluster));
   RunSummary& summary = outcome.summary;
   describe_fibers(summary, cluster.state);
+  summary.breaks.reset();
+  if (!cluster.relaxed) {
+    summary.simulated_s.reset();
+    summary.steps.reset();
+  }
   summary.seed = values.run.seed;
   summary.max_overlap = 2 * cluster.packing.largest_overlap;
   summary.own = own_values(cluster.state, cluster.packing);

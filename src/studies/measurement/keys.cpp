@@ -13,7 +13,7 @@ KeyGroup<MeasuredLengthChoices> length_keys() {
       {
           file_key("file", &Lengths::file,
                    "CSV file with a row a fiber, or a row a length with the number of its fibers.",
-                   optional("\"lengths.csv\"")),
+                   usual("\"lengths.csv\"")),
           text_key(
               "column", &Lengths::column, "column",
               "Column that holds the lengths; not given: the only one, or the only one whose heading says "

@@ -43,7 +43,7 @@ FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", {}};
   section.rows = {
       {"End", summary.text("filling_end")},
-      {"Filled share of the cavity", summary.number("filled_fraction")},
+      {"Filled share of the cavity", 100 * summary.number("filled_fraction"), "%"},
       {"Time", summary.number("simulated_s"), "s"},
       {"Greatest pressure at the sprue", summary.number("greatest_sprue_pressure_Pa"), "Pa"},
       {"Volume of the part", 1e6 * summary.number("volume_m3"), "cm^3"},

@@ -23,13 +23,14 @@ FactsSection asked(const OrientationCase& values) {
 FactsSection came_out(const OrientationCase& values, const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", {}};
   section.rows = {
-      {"Orientation at the end", summary.tensor("A2")},
-      {"Strain", summary.number("strain")},
+      {"Orientation at the end", summary.tensor("A2"), "", "", Prominence::headline},
+      {"Strain", summary.number("strain"), "", "", Prominence::headline},
       {"Rate of change at the end", summary.number("final_rate_per_s"), "1/s", "norm of DA/Dt"},
       {"Steps", summary.count("steps")},
       {"Inadmissible tensors put back", summary.count("projections"), "", "where the closure left them"}};
   if (values.solution.distribution == DistributionChoice::yes) {
-    section.rows.push_back({"Orientation without closure", summary.tensor("distribution_A2")});
+    section.rows.push_back(
+        {"Orientation without closure", summary.tensor("distribution_A2"), "", "", Prominence::headline});
     section.rows.push_back(
         {"Error of the closure", summary.number("closure_error"), "", "norm of the difference"});
   }

@@ -38,11 +38,11 @@ KeyGroup<CompositeFiberChoices> fiber_keys() {
                                        {"number", {"1", "1"}, Range::not_negative()}};
   const KeyRows<Fibers> own = {
       key("volume_fraction", &Fibers::volume_fraction, {}, Range::between(0, 1),
-          "Volume of the fibers over that of the part.", optional("\"13.2 %\"")),
+          "Volume of the fibers over that of the part.", usual("\"13.2 %\"")),
       key("weight_fraction", &Fibers::weight_fraction, {}, Range::between(0, 1),
           "Weight of the fibers over that of the part, instead of volume_fraction.", optional("\"30 %\"")),
       key("aspect_ratio", &Fibers::aspect_ratio, {}, Range::positive(1e9), "Length over diameter.",
-          optional("25")),
+          usual("25")),
       key("length", &Fibers::length, {"m", "mm"}, Range::positive(10),
           "One length of all fibers, instead of aspect_ratio.", optional("\"2 mm\"")),
       rows_key("distribution", &Fibers::distribution, classes,
