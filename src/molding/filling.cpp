@@ -10,11 +10,11 @@
 
 #include "base/error.hpp"
 #include "base/timer.hpp"
-#include "microstructure/tensor.hpp"
 #include "molding/flow_solver.hpp"
 #include "molding/front.hpp"
 #include "molding/gate_control.hpp"
 #include "molding/heat.hpp"
+#include "molding/last_melt.hpp"
 #include "molding/length_transport.hpp"
 #include "molding/orientation_transport.hpp"
 #include "molding/state_checks.hpp"
@@ -74,7 +74,6 @@ struct Filling::Parts {
   void conclude();
   void make_step();
   void settle();
-  void show_at_gates(const std::vector<GateState>& shown);
   [[nodiscard]] bool is_settling() const { return settling(mesh, state); }
   [[nodiscard]] Machine machine() const { return {params, mesh, gates}; }
   [[nodiscard]] MeltMotion motion() const { return {layers, step, field, stretching}; }
@@ -239,44 +238,23 @@ void Filling::Parts::conclude() {
   follow_gates();
 }
 
-/// One step of the machine. The few places that are left for the last melt would ask for more and more
-/// pressure, on any mesh: in the step that brings it in, pressures stay those of the step before.
 void Filling::Parts::make_step() {
-  const double pressure_at_sprue = state.sprue_pressure;
-  std::vector<double> pressure = state.pressure;
+  ShownPressures before(state);
   move_front();
   carry();
   conclude();
-  if (!is_settling()) return;
-  state.pressure = std::move(pressure);
-  state.sprue_pressure = pressure_at_sprue;
-  show_at_gates(state.gates);
+  if (is_settling()) show_again(std::move(before), params, state);
 }
 
-/// Shows the rates of gates, and at those that are open the pressure of the sprue less what their runners
-/// take.
-void Filling::Parts::show_at_gates(const std::vector<GateState>& shown) {
-  for (std::size_t g = 0; g < state.gates.size(); ++g) {
-    GateState& gate = state.gates[g];
-    gate.rate = shown[g].rate;
-    gate.pressure =
-        gate.is_open() ? state.sprue_pressure - params.gates[g].resistance * gate.rate : shown[g].pressure;
-  }
-}
-
-/// Moves melt that has come in on to the last free places. The machine has no part in that: what it shows
-/// stays, the time among it.
+/// Moves melt that has come in on to the last free places.
 void Filling::Parts::settle() {
-  const FillingState shown = state;
+  const FillingState before = state;
+  gates.update(state);
+  follow_gates();
   move_front();
   carry();
   conclude();
-  state.time = shown.time;
-  state.pressure = shown.pressure;
-  state.sprue_pressure = shown.sprue_pressure;
-  state.flow_rate = shown.flow_rate;
-  show_at_gates(shown.gates);
-  for (double& time : state.fill_time) time = time > state.time ? state.time : time;
+  show_again(before, params, state);
 }
 
 Filling::Filling(ShellMesh mesh, FillingParams params)
@@ -305,11 +283,7 @@ void Filling::advance() {
     p.state.stop_reason = FillingEnd::short_shot;
   } else {
     p.make_step();
-    while (!finished() && p.is_settling()) {
-      p.gates.update(p.state);
-      p.follow_gates();
-      p.settle();
-    }
+    while (!finished() && p.is_settling()) p.settle();
   }
   if (finished()) p.state.events.push_back({p.state.time, p.fraction(), FillingEventKind::ended, -1});
 }
@@ -351,24 +325,6 @@ double Filling::filled_fraction() const {
 }
 double Filling::seconds(FillingPhase phase) const {
   return parts_->seconds[static_cast<std::size_t>(phase)];
-}
-
-Mat3 Filling::orientation(std::size_t node, std::size_t layer) const {
-  const std::size_t point = node * layers().count() + layer;
-  if (state().orientation[0].empty()) return Mat3::Zero();
-  Vec6 a;
-  for (std::size_t m = 0; m < 6; ++m) a[static_cast<Eigen::Index>(m)] = state().orientation[m][point];
-  return rotated(to_matrix(a), mesh().frame(node));
-}
-
-Mat3 Filling::mean_orientation(std::size_t node) const {
-  Mat3 sum = Mat3::Zero();
-  for (std::size_t k = 0; k < layers().count(); ++k) sum += layers().widths()[k] * orientation(node, k);
-  // The other half of the gap is the mirror image: components across it cancel.
-  const Mat3& frame = mesh().frame(node);
-  Mat3 local = frame.transpose() * sum * frame;
-  local(0, 2) = local(2, 0) = local(1, 2) = local(2, 1) = 0;
-  return frame * local * frame.transpose();
 }
 
 std::size_t Filling::field_count(std::size_t set) const {

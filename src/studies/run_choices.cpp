@@ -31,15 +31,14 @@ KeyRow<RunChoices> threads_key() {
 }
 
 KeyRows<SeriesChoices> series_rows() {
-  return {
-      key("interval", &SeriesChoices::interval, {"s"}, Range::positive(),
-          "Simulated time between rows of series.csv; not given: 1/200 of the duration, or only rows at "
-          "output.times.",
-          optional("\"0.05 s\"")),
-      key("times", &SeriesChoices::times, {"s"}, Range::not_negative(),
-          "Simulated times of rows of series.csv, besides the start, the end and those of "
-          "output.interval.",
-          optional("[\"1 s\", \"5 s\"]"))};
+  return {key("interval", &SeriesChoices::interval, {"s"}, Range::positive(),
+              "Simulated time between rows of series.csv; not given: 1/200 of the duration, or only rows at "
+              "output.times.",
+              optional("\"0.05 s\"")),
+          key("times", &SeriesChoices::times, {"s"}, Range::not_negative(),
+              "Simulated times of rows of series.csv, besides the start, the end and those of "
+              "output.interval.",
+              optional("[\"1 s\", \"5 s\"]"))};
 }
 
 void validate_series(const RunChoices& run, const SeriesChoices& series, CaseChecker& checker) {

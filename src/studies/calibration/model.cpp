@@ -260,4 +260,17 @@ MeasuredSeries refined(const MeasuredSeries& series, std::size_t count) {
   return fine;
 }
 
+std::string remark_on_bins(const CalibrationCase& values, const std::vector<MeasuredSeries>& series,
+                           const std::vector<double>& law_values) {
+  constexpr double coarse = 0.01;
+  if (calibrates_in_molds(values) || calibrates_orientation(values) || !needs_bins(values.law)) return {};
+  const auto law = make_attrition_law(values.law.name, law_values);
+  for (const MeasuredSeries& one : series) {
+    const double length = law->unbreakable_length(condition_flow(values, one.condition));
+    const LengthChoices fibers = condition_fibers(values, one.condition);
+    if (std::string remark = remark_on_bins(fibers, length, coarse); !remark.empty()) return remark;
+  }
+  return {};
+}
+
 }  // namespace fiberfate

@@ -26,6 +26,11 @@ namespace fiberfate {
 /// The fibers with which a condition begins.
 [[nodiscard]] LengthChoices condition_fibers(const CalibrationCase& values, std::size_t condition);
 
+/// What the bins of a fitted law leave open of its unbreakable length; empty where that is little.
+[[nodiscard]] std::string remark_on_bins(const CalibrationCase& values,
+                                         const std::vector<MeasuredSeries>& series,
+                                         const std::vector<double>& law_values);
+
 /// The shear rate and viscosity of a condition.
 [[nodiscard]] LengthFlow condition_flow(const CalibrationCase& values, std::size_t condition);
 

@@ -14,7 +14,6 @@
 #include "calibration/profile.hpp"
 #include "calibration/residual_runs.hpp"
 #include "calibration/sweep.hpp"
-#include "continuum/length_registry.hpp"
 #include "results/memory_recorder.hpp"
 #include "studies/calibration/fits.hpp"
 #include "studies/calibration/model.hpp"
@@ -106,17 +105,7 @@ class OneFit {
 
   /// What the bins of its law leave open at the fit; empty where that is little.
   [[nodiscard]] std::string remark_on_bins() const {
-    constexpr double coarse = 0.01;
-    if (calibrates_in_molds(values_) || calibrates_orientation(values_) || !needs_bins(values_.law))
-      return {};
-    const auto law = make_attrition_law(values_.law.name, result_.values);
-    for (const MeasuredSeries& one : series_) {
-      const double length = law->unbreakable_length(condition_flow(values_, one.condition));
-      const LengthChoices fibers = condition_fibers(values_, one.condition);
-      if (std::string remark = fiberfate::remark_on_bins(fibers, length, coarse); !remark.empty())
-        return remark;
-    }
-    return {};
+    return fiberfate::remark_on_bins(values_, series_, result_.values);
   }
 
   /// States in a line what was found: "shear: C_I 0.0031 [0.0029, 0.0034]".

@@ -1,0 +1,36 @@
+// Keeps what a filling shows while the last melt comes in and settles.
+#include "molding/last_melt.hpp"
+
+#include <utility>
+
+namespace fiberfate {
+namespace {
+
+void show_at_open_gates(const FillingParams& params, FillingState& state) {
+  for (std::size_t g = 0; g < state.gates.size(); ++g)
+    if (GateState& gate = state.gates[g]; gate.is_open())
+      gate.pressure = state.sprue_pressure - params.gates[g].resistance * gate.rate;
+}
+
+}  // namespace
+
+void show_again(ShownPressures pressures, const FillingParams& params, FillingState& state) {
+  state.pressure = std::move(pressures.by_node);
+  state.sprue_pressure = pressures.at_sprue;
+  show_at_open_gates(params, state);
+}
+
+void show_again(const FillingState& before, const FillingParams& params, FillingState& state) {
+  state.time = before.time;
+  state.pressure = before.pressure;
+  state.sprue_pressure = before.sprue_pressure;
+  state.flow_rate = before.flow_rate;
+  for (std::size_t g = 0; g < state.gates.size(); ++g) {
+    state.gates[g].pressure = before.gates[g].pressure;
+    state.gates[g].rate = before.gates[g].rate;
+  }
+  show_at_open_gates(params, state);
+  for (double& time : state.fill_time) time = time > state.time ? state.time : time;
+}
+
+}  // namespace fiberfate
