@@ -63,6 +63,8 @@ export function make_svg_text(label: string, attributes: Record<string, string |
   return text;
 }
 
+const y_apart = 5.2; // of ticks along y, over the size of the type
+
 function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number; text: string }[] {
   if (axis.names) return axis.names.map((text, k) => ({ at: k + 1, text }));
   const count = Math.max(3, Math.round(length / apart));
@@ -91,7 +93,7 @@ function draw_ticks(frame: Frame, request: FrameRequest): void {
     axes.append(make_svg("line", { x1: at, x2: at, y1: frame.bottom, y2: end, stroke: palette.muted }));
     if (!layout || k % layout.every === 0) axes.append(draw_tick_text(text, k, { x: at, y: end }, font, layout));
   });
-  for (const { at: value, text } of ticks_of(y, frame.bottom - frame.top, 5.2 * font)) {
+  for (const { at: value, text } of ticks_of(y, frame.bottom - frame.top, y_apart * font)) {
     const at = frame.to_y(value);
     axes.append(make_svg("line", { x1: frame.left - 5, x2: frame.left, y1: at, y2: at, stroke: palette.muted }));
     if (grid) axes.append(make_svg("line", { x1: frame.left, x2: frame.right, y1: at, y2: at, stroke: palette.grid }));
@@ -113,10 +115,11 @@ function draw_titles(frame: Frame, request: FrameRequest): void {
   if (request.y.title) frame.svg.append(make_svg_text(request.y.title, beside));
 }
 
-/** Room at the left: names may need more than numbers. */
+/** Room at the left: names and powers of ten may need more than most numbers. */
 function left_of({ size, y }: FrameRequest): number {
   const title = size.titles === "drawn" ? 2 * size.font : 0;
-  return y.names ? Math.max(size.room.left, widest_name(y.names, size.font) + 14 + title) : size.room.left;
+  const texts = ticks_of(y, size.height - size.room.top - size.room.bottom, y_apart * size.font).map(({ text }) => text);
+  return Math.max(size.room.left, widest_name(texts, size.font) + 14 + title);
 }
 
 function layout_of(request: FrameRequest): NameLayout | undefined {

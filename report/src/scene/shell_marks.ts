@@ -19,11 +19,12 @@ export function make_place_labels(places: ShellPlace[]): PlaceLabels {
     follow: (stage) => {
       places.forEach(({ at }, k) => {
         const seen = new Vector3(...at).multiplyScalar(stage.factor).project(stage.camera);
+        // A hidden label has no width.
+        labels[k]!.hidden = Math.abs(seen.z) > 1;
         const right = (0.5 + 0.5 * seen.x) * element.clientWidth;
         labels[k]!.classList.toggle("at-left", right + labels[k]!.offsetWidth > element.clientWidth);
         labels[k]!.style.left = `${(50 * (1 + seen.x)).toFixed(2)}%`;
         labels[k]!.style.top = `${(50 * (1 - seen.y)).toFixed(2)}%`;
-        labels[k]!.hidden = Math.abs(seen.z) > 1;
       });
     },
   };

@@ -4,7 +4,7 @@ import { make, make_button, make_label } from "../dom";
 import { choose_unit, largest_magnitude, type ShownUnit, write_number } from "../format";
 import { current_palette, watch_scheme } from "../palette";
 import { save_csv } from "../save";
-import { make_section } from "./parts";
+import { make_section, make_text_cell } from "./parts";
 import { make_scroll } from "./scroll";
 
 /** Makes the sample of a run's colour, which its curves have, too. */
@@ -27,7 +27,7 @@ export function unit_of(fact: ComparedFact): ShownUnit {
 /** Writes what one run has, and the ends of its replicas below. */
 function make_cell(fact: ComparedFact, run: number, factor: number): HTMLElement {
   const value = fact.values[run];
-  if (typeof value === "string") return make("td", { class: "text", "data-value": value }, make_label(value));
+  if (typeof value === "string") return make_text_cell(value);
   const cell = make("td", { "data-value": value ?? "" }, write_number(is_number(value) ? value * factor : value));
   const [low, high] = [fact.low?.[run], fact.high?.[run]];
   if (is_number(low) && is_number(high) && high > low) cell.append(make("small", {}, `${write_number(low * factor)} to ${write_number(high * factor)}`));

@@ -1,4 +1,4 @@
-// What every section of the page is made of: a heading, a caption, a row of controls, a figure.
+// What sections of the page are made of: a heading, a caption, a row of controls, a figure, cells of tables.
 import { make, make_label } from "../dom";
 
 export interface SectionParts {
@@ -20,4 +20,12 @@ export function make_section(section: { id: string; title: string; caption?: str
   );
   if (section.caption) element.append(make("p", { class: "caption" }, make_label(section.caption)));
   return { element, controls, figure };
+}
+
+/** Letters of a text that stays on one line, such as an interval. */
+const longest_line = 24;
+
+/** Makes the cell of a table that holds a text. */
+export function make_text_cell(text: string): HTMLElement {
+  return make("td", { class: text.length > longest_line ? "text" : "text short", "data-value": text }, make_label(text));
 }

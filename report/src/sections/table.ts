@@ -3,7 +3,7 @@ import { is_number, type TableSection } from "../document";
 import { make, make_button, make_label } from "../dom";
 import { choose_unit, largest_magnitude, type ShownUnit, write_number } from "../format";
 import { save_csv } from "../save";
-import { make_section } from "./parts";
+import { make_section, make_text_cell } from "./parts";
 import { make_scroll } from "./scroll";
 
 /** Every column is in the unit that suits its largest number, as a chart of it would be. */
@@ -24,11 +24,8 @@ function make_head(section: TableSection, units: ShownUnit[]): HTMLElement {
   return make("thead", {}, make("tr", {}, ...cells));
 }
 
-/** Letters of a text that stay on one line, such as an interval. */
-const longest_line = 24;
-
 function make_cell(value: string | number | null | undefined, factor: number): HTMLElement {
-  if (typeof value === "string") return make("td", { class: value.length > longest_line ? "text" : "text short" }, make_label(value));
+  if (typeof value === "string") return make_text_cell(value);
   return make("td", { "data-value": is_number(value) ? value : "" }, write_number(is_number(value) ? value * factor : value));
 }
 
