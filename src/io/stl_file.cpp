@@ -107,6 +107,10 @@ class TextFacets {
 std::vector<Facet> read_facets(const std::string& path) {
   const std::string bytes = read_input_file(path);
   if (is_binary(bytes)) return binary_facets(bytes, path);
+  if (bytes.find('\0') != std::string::npos)
+    throw InputError(
+        {{path, 1, 1, "", "", "is a binary STL file of another size than its number of facets asks for",
+          "export the surface again"}});
   WordReader words(bytes, path);
   if (words.peek() != "solid")
     throw InputError(

@@ -243,7 +243,7 @@ void Filling::Parts::make_step() {
   move_front();
   carry();
   conclude();
-  if (is_settling()) show_again(std::move(before), params, state);
+  if (is_settling()) bound_last_pressures(std::move(before), params, state);
 }
 
 /// Moves melt that has come in on to the last free places.

@@ -14,9 +14,12 @@ void show_at_open_gates(const FillingParams& params, FillingState& state) {
 
 }  // namespace
 
-void show_again(ShownPressures pressures, const FillingParams& params, FillingState& state) {
-  state.pressure = std::move(pressures.by_node);
-  state.sprue_pressure = pressures.at_sprue;
+void bound_last_pressures(ShownPressures before, const FillingParams& params, FillingState& state) {
+  const double growth = state.injected_volume / before.volume;
+  if (!(state.sprue_pressure > growth * before.at_sprue)) return;
+  state.pressure = std::move(before.by_node);
+  for (double& pressure : state.pressure) pressure *= growth;
+  state.sprue_pressure = growth * before.at_sprue;
   show_at_open_gates(params, state);
 }
 

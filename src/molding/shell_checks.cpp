@@ -124,7 +124,9 @@ void check_edges(const Shell& shell, FaultList& faults) {
       faults.add("inverted triangles",
                  fmt::format("triangles {} and {} at {} are turned opposite ways", all[begin].triangle,
                              all[begin + 1].triangle, where),
-                 "orient the surface: reverse the nodes of one of them");
+                 "orient the surface: reverse the nodes of one of them; a band that is twisted by half a "
+                 "turn has one "
+                 "side only, and cannot be filled");
   }
 }
 

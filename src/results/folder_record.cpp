@@ -9,10 +9,14 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <chrono>
+#include <csignal>
 #include <ctime>
 #include <filesystem>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
@@ -70,13 +74,29 @@ bool is_at(const std::string& path, int descriptor) {
          there.st_ino == opened.st_ino && there.st_dev == opened.st_dev;
 }
 
-/// Who holds a record; nothing where its holder has just given it up.
+/// Whether the process that a record names, "PROCESS HOST TIME", has ended on this machine.
+bool has_ended(const std::string& holder) {
+  std::istringstream words(holder);
+  pid_t process = 0;
+  std::string host;
+  std::array<char, 256> here{};
+  ::gethostname(here.data(), here.size() - 1);
+  return words >> process >> host && host == here.data() && ::kill(process, 0) != 0 && errno == ESRCH;
+}
+
+/// Who holds a record; nothing where its holder has just given it up. One that has just locked it may not
+/// have written its name over that of the one before.
 std::string holder_of(const std::string& path) {
-  try {
-    return parse(read_file(path)).holder;
-  } catch (const StorageError&) {
-    return {};
+  constexpr int most_looks = 100;
+  for (int look = 0; look < most_looks; ++look) {
+    try {
+      if (std::string holder = parse(read_file(path)).holder; !has_ended(holder)) return holder;
+    } catch (const StorageError&) {
+      return {};
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
+  return {};
 }
 
 [[noreturn]] void refuse_held(const std::string& folder, const std::string& holder) {

@@ -77,7 +77,8 @@ void add_charts(const MoldingCase& values, const CsvTable& series, std::vector<R
   for (LinesSection& chart : draw(filling_charts(), filling_observables(gates), series)) {
     if (chart.id == "pressure")
       chart.caption =
-          "In the step that brings in the last melt, pressures stay those of the step before: the few places "
+          "In the step that brings in the last melt, pressures grow no faster than the volume: the few "
+          "places "
           "that are free at last have no front of their own.";
     if (chart.y.unit == "m3/s") {
       chart.y.unit = "cm^3/s";

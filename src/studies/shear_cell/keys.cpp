@@ -137,9 +137,9 @@ KeyGroup<OutputChoices> output_keys() {
           "Simulated times at which histograms of length and curvature are kept, besides the start "
           "and the end.",
           optional("[\"1 s\", \"5 s\"]")),
-      key("length_bin", &Output::length_bin, {"m", "mm"}, Range::positive(1),
+      key("length_bin", &Output::length_bin, {"m", "mm"}, Range::between(1e-9, 1),
           "Width of the bins of the length histogram."),
-      key("radius_bin", &Output::radius_bin, {"m", "um"}, Range::positive(1),
+      key("radius_bin", &Output::radius_bin, {"m", "um"}, Range::between(1e-9, 1),
           "Width of the bins of the histogram of radii of curvature."),
       key("near_critical", &Output::near_critical, {"m", "um"}, Range::positive(1),
           "Hinges whose radius of curvature is this little above the breaking one are counted.", {},
