@@ -74,7 +74,7 @@ function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number;
 /** Sets a number or a name below its tick. */
 function draw_tick_text(text: string, k: number, place: { x: number; y: number }, font: number, layout?: NameLayout): SVGElement {
   const { x, y } = place;
-  if (!layout) return make_svg("text", { class: "tick-x", x, y: y + 1.1 * font, "text-anchor": "middle" }, text);
+  if (!layout) return make_svg("text", { class: "tick-x", x, y: y + 1.3 * font, "text-anchor": "middle" }, text);
   if (layout.arrangement === "upright")
     return make_svg_text(text, { class: "tick-x", "data-at": x, x: x + 0.35 * font, y: y + 4, "text-anchor": "end", transform: `rotate(-90 ${x + 0.35 * font} ${y + 4})` });
   const row = layout.arrangement === "staggered" && k % 2 === 1 ? 1 : 0;
@@ -109,7 +109,7 @@ function draw_titles(frame: Frame, request: FrameRequest): void {
   const middle = (frame.top + frame.bottom) / 2;
   const style = { "font-size": 1.08 * font, fill: request.palette.ink, "text-anchor": "middle" };
   const names = layout_of(request)?.extra ?? 0;
-  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + names + 3.2 * font };
+  const below = { ...style, x: (frame.left + frame.right) / 2, y: frame.bottom + names + 3.4 * font };
   const beside = { ...style, x: 1.3 * font, y: middle, transform: `rotate(-90 ${1.3 * font} ${middle})` };
   if (request.x.title) frame.svg.append(make_svg_text(request.x.title, below));
   if (request.y.title) frame.svg.append(make_svg_text(request.y.title, beside));

@@ -159,7 +159,9 @@ async function check_zoom(page, section, expect) {
     return found;
   };
   const before = await range();
-  const area = await page.locator(`[id="${section.id}"] .u-over`).boundingBox();
+  const chart = page.locator(`[id="${section.id}"] .u-over`);
+  await chart.scrollIntoViewIfNeeded();
+  const area = await chart.boundingBox();
   const middle = area.y + area.height / 2;
   await page.mouse.move(area.x + 0.25 * area.width, middle);
   await page.mouse.down();
