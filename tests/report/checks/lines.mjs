@@ -197,8 +197,8 @@ export async function check_lines(page, section, expect) {
   await check_pixels(page, section, expect);
   await check_cursor(page, section, factors, expect);
   await check_figure(page, section, factors, expect);
-  await check_saved_chart(page, section, expect);
   const linear = section.x.scale !== "log" && (section.x.values ?? []).length > 3;
   if (linear && section.kind === "lines") await check_zoom(page, section, expect);
   if (linear && section.id === "orientation") await check_log_axis(page, section, expect);
+  await check_saved_chart(page, section, expect);
 }

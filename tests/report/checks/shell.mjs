@@ -90,6 +90,7 @@ export async function check_shell(page, section, expect) {
   await check_fields(element, stage, section, part, expect);
   await check_pointing(page, stage, section, part, expect);
   expect.equal(await element.locator(".place").count(), section.places?.length ?? 0, `${section.id}: places`);
-  // Four for the view and its files, one a kind of lines, and two that save films.
-  expect.equal(await element.locator(".controls button").count(), 6 + (section.lines?.length ?? 0), `${section.id}: buttons`);
+  // Four for the view and its files, two that save it over time, and one a kind of lines, tensors and directions.
+  const overlays = [section.lines, section.tensors, section.directions].reduce((sum, kind) => sum + (kind?.length ?? 0), 0);
+  expect.equal(await element.locator(".controls button").count(), 6 + overlays, `${section.id}: buttons`);
 }
