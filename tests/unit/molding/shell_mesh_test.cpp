@@ -37,9 +37,10 @@ TEST(ShellChecks, FaultsNameTheTriangleAndTheRemedy) {
       "region or element");
   shell = square();
   shell.triangles[1] = {0, 3, 2};
-  EXPECT_EQ(complaint(shell),
-            "triangles 0 and 1 at (0.5, 0.5, 0) m are turned opposite ways: orient the surface: reverse the "
-            "nodes of one of them");
+  EXPECT_EQ(
+      complaint(shell),
+      "triangles 0 and 1 at (0.5, 0.5, 0) m are turned opposite ways: orient the surface: reverse the "
+      "nodes of one of them; a band that is twisted by half a turn has one side only, and cannot be filled");
   shell = square();
   shell.nodes[3] = {0.5, 0.5, 0};
   EXPECT_NE(complaint(shell).find("triangle 1"), std::string::npos);
