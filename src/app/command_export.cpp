@@ -67,9 +67,9 @@ void export_series(const VtkhdfReader& reader, const std::string& out) {
 }
 
 /// Writes every .vtkhdf of a result: frames as a series of .vtp, properties as one, layers as .vtu.
-void export_vtk(const ResultFolder& folder, const std::string& out) {
+void export_vtk(const VtkhdfReader& reader, const ResultFolder& folder, const std::string& out) {
   const std::string properties = folder.file("properties.vtkhdf"), layers = folder.file("layers.vtkhdf");
-  export_series(VtkhdfReader(folder.frames()), out);
+  export_series(reader, out);
   if (std::filesystem::exists(properties))
     write_vtp(out + "/properties.vtp", VtkhdfReader(properties).read(0));
   if (std::filesystem::exists(layers)) write_vtu(out + "/layers.vtu", read_prisms(layers));
@@ -99,11 +99,7 @@ void publish(const std::string& staged, const std::string& out) {
   for (const auto& entry : fs::directory_iterator(staged)) names.push_back(entry.path().filename().string());
   const std::set<std::string> known = recorded_files(out);
   for (const std::string& name : names)
-    if (fs::exists(out + '/' + name) && !known.contains(name))
-      throw InputError(
-          fmt::format("{}/{} is there already, and no record in its folder says that fiberfate made it", out,
-                      name),
-          "name another folder with --out, or move that file away");
+    if (fs::exists(out + '/' + name) && !known.contains(name)) refuse_unrecorded(out + '/' + name);
   for (const std::string& name : names) {
     record_file(out, name);
     rename_file(staged + '/' + name, out + '/' + name);
@@ -158,9 +154,9 @@ int run_export(const ExportOptions& options) {
     export_structure(*molding, folder, staged.path(), solver);
     made = out + "/part.inp";
   } else {
-    options.format == "vtp" ? export_vtk(folder, staged.path())
-                            : export_csv(VtkhdfReader(folder.frames()), staged.path());
-    made = fmt::format("{} frames in {}", VtkhdfReader(folder.frames()).times().size(), out);
+    const VtkhdfReader reader(folder.frames());
+    options.format == "vtp" ? export_vtk(reader, folder, staged.path()) : export_csv(reader, staged.path());
+    made = fmt::format("{} frames in {}", reader.times().size(), out);
   }
   publish(staged.path(), out);
   fmt::print("{}\n", made);

@@ -58,10 +58,14 @@ RecordText parse(const std::string& text) {
   return parsed;
 }
 
-std::string this_process() {
+std::string this_host() {
   std::array<char, 256> host{};
   ::gethostname(host.data(), host.size() - 1);
-  return fmt::format("{} {} {:%Y-%m-%dT%H:%M:%S}", ::getpid(), host.data(),
+  return host.data();
+}
+
+std::string this_process() {
+  return fmt::format("{} {} {:%Y-%m-%dT%H:%M:%S}", ::getpid(), this_host(),
                      fmt::localtime(std::time(nullptr)));
 }
 
@@ -79,9 +83,7 @@ bool has_ended(const std::string& holder) {
   std::istringstream words(holder);
   pid_t process = 0;
   std::string host;
-  std::array<char, 256> here{};
-  ::gethostname(here.data(), here.size() - 1);
-  return words >> process >> host && host == here.data() && ::kill(process, 0) != 0 && errno == ESRCH;
+  return words >> process >> host && host == this_host() && ::kill(process, 0) != 0 && errno == ESRCH;
 }
 
 /// Who holds a record; nothing where its holder has just given it up. One that has just locked it may not
@@ -114,6 +116,11 @@ std::string holder_of(const std::string& path) {
 std::set<std::string> recorded_files(const std::string& folder) {
   const std::string path = folder + '/' + folder_record_name;
   return std::filesystem::exists(path) ? parse(read_file(path)).files : std::set<std::string>{};
+}
+
+void refuse_unrecorded(const std::string& path) {
+  throw InputError(path + " is there already, and no record in its folder says that fiberfate made it",
+                   "name another folder with --out, or move that file away");
 }
 
 void record_file(const std::string& folder, const std::string& name) {

@@ -15,6 +15,9 @@ inline constexpr const char* folder_record_name = ".fiberfate";
 /// Reads the names of the files that the program made in a folder; nothing where there is no record.
 [[nodiscard]] std::set<std::string> recorded_files(const std::string& folder);
 
+/// Raises InputError for a file that is there already and in no record, so that the program did not make it.
+[[noreturn]] void refuse_unrecorded(const std::string& path);
+
 /// Adds a file that is about to be made to the record of a folder that another process may hold (a report of
 /// a run that goes on); raises StorageError.
 void record_file(const std::string& folder, const std::string& name);

@@ -96,11 +96,7 @@ void require_room(const ResultFolder& folder, const std::set<std::string>& known
         folder.path() + " already holds a result",
         "name another folder with --out, continue that run with 'fiberfate resume', or replace it "
         "with --overwrite");
-  if (!foreign.empty())
-    throw InputError(
-        fmt::format("{} is there already, and no record in its folder says that fiberfate made it",
-                    folder.file(foreign)),
-        "name another folder with --out, or move that file away");
+  if (!foreign.empty()) refuse_unrecorded(folder.file(foreign));
 }
 
 /// Raises InputError where a folder holds no result.
