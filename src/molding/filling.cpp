@@ -239,7 +239,7 @@ void Filling::Parts::conclude() {
 }
 
 void Filling::Parts::make_step() {
-  ShownPressures before(state);
+  Readings before(state);
   move_front();
   carry();
   conclude();
@@ -248,13 +248,13 @@ void Filling::Parts::make_step() {
 
 /// Moves melt that has come in on to the last free places.
 void Filling::Parts::settle() {
-  const FillingState before = state;
+  Readings before(state);
   gates.update(state);
   follow_gates();
   move_front();
   carry();
   conclude();
-  show_again(before, params, state);
+  show_again(std::move(before), params, state);
 }
 
 Filling::Filling(ShellMesh mesh, FillingParams params)

@@ -14,18 +14,18 @@ void show_at_open_gates(const FillingParams& params, FillingState& state) {
 
 }  // namespace
 
-void bound_last_pressures(ShownPressures before, const FillingParams& params, FillingState& state) {
+void bound_last_pressures(Readings before, const FillingParams& params, FillingState& state) {
   const double growth = state.injected_volume / before.volume;
-  if (!(state.sprue_pressure > growth * before.at_sprue)) return;
-  state.pressure = std::move(before.by_node);
+  if (!(state.sprue_pressure > growth * before.sprue_pressure)) return;
+  state.pressure = std::move(before.pressure);
   for (double& pressure : state.pressure) pressure *= growth;
-  state.sprue_pressure = growth * before.at_sprue;
+  state.sprue_pressure = growth * before.sprue_pressure;
   show_at_open_gates(params, state);
 }
 
-void show_again(const FillingState& before, const FillingParams& params, FillingState& state) {
+void show_again(Readings before, const FillingParams& params, FillingState& state) {
   state.time = before.time;
-  state.pressure = before.pressure;
+  state.pressure = std::move(before.pressure);
   state.sprue_pressure = before.sprue_pressure;
   state.flow_rate = before.flow_rate;
   for (std::size_t g = 0; g < state.gates.size(); ++g) {

@@ -9,22 +9,30 @@
 
 namespace fiberfate {
 
-/// Pressures of the machine and the melt, and the volume that was in.
-struct ShownPressures {
-  explicit ShownPressures(const FillingState& state)
-      : at_sprue(state.sprue_pressure), volume(state.injected_volume), by_node(state.pressure) {}
-  double at_sprue;  ///< Pa
-  double volume;    ///< m³
-  std::vector<double> by_node;
+/// What the machine shows at one moment, and the pressures in the melt.
+struct Readings {
+  explicit Readings(const FillingState& state)
+      : time(state.time),
+        volume(state.injected_volume),
+        flow_rate(state.flow_rate),
+        sprue_pressure(state.sprue_pressure),
+        gates(state.gates),
+        pressure(state.pressure) {}
+  double time;            ///< s
+  double volume;          ///< that has come in, m³
+  double flow_rate;       ///< m³/s
+  double sprue_pressure;  ///< Pa
+  std::vector<GateState> gates;
+  std::vector<double> pressure;  ///< by node, Pa
 };
 
 /// Bounds the pressures of the step that brought in the last melt: they grow from those before it as the
 /// volume does, as in a strip, and no faster. At open gates is that of the sprue less what their runners
 /// take.
-void bound_last_pressures(ShownPressures before, const FillingParams& params, FillingState& state);
+void bound_last_pressures(Readings before, const FillingParams& params, FillingState& state);
 
 /// Shows what the machine showed before melt settled, in which it has no part: pressures, rates and the time.
 /// Nodes that were reached meanwhile were reached at that time.
-void show_again(const FillingState& before, const FillingParams& params, FillingState& state);
+void show_again(Readings before, const FillingParams& params, FillingState& state);
 
 }  // namespace fiberfate

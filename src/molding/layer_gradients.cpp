@@ -6,10 +6,6 @@
 namespace fiberfate {
 namespace {
 
-Vec2 turned(const Vec2& turn, const Vec2& v) {
-  return {turn[0] * v[0] - turn[1] * v[1], turn[1] * v[0] + turn[0] * v[1]};
-}
-
 /// Adds the derivatives in the surface to components 11, 12, 21, 22.
 void add_surface_derivatives(const ShellMesh& mesh, const MeltMotion& motion, std::size_t node,
                              LayerGradients& gradients) {
@@ -36,7 +32,7 @@ void add_surface_derivatives(const ShellMesh& mesh, const MeltMotion& motion, st
     const std::size_t other = to.node;
     const double x = (yy * to.direction[0] - xy * to.direction[1]) / (det * to.length);
     const double y = (xx * to.direction[1] - xy * to.direction[0]) / (det * to.length);
-    const Vec2 there = mobility(other) * turned(to.turn, field.gradient[other]);
+    const Vec2 there = mobility(other) * to.turned(field.gradient[other]);
     for (std::size_t k = 0; k < count; ++k) {
       if (field.inverse_viscosity[node * count + k] == 0) continue;
       const double width = layers.widths()[k];

@@ -24,6 +24,11 @@ struct ShellNeighbour {
   Vec2 direction = {0, 0};  ///< unit vector along the edge in the frame of the node where it begins
   Vec2 turn = {1, 0};  ///< (cos, sin) of the angle by which components in the neighbour's frame are turned
                        ///< to become components in this frame
+
+  /// Components in this frame of a vector in the neighbour's.
+  [[nodiscard]] Vec2 turned(const Vec2& there) const {
+    return {turn[0] * there[0] - turn[1] * there[1], turn[1] * there[0] + turn[0] * there[1]};
+  }
 };
 
 /// Adds what filling needs to a checked shell. Arrays by node have the numbering of the shell. Triangles and

@@ -92,9 +92,7 @@ void inherit_at_front(const Cavity& cavity, const StepFlow& step, FlowField& fie
       const double volume = step.inflow(node, from);
       if (!(volume > 0)) continue;
       total += volume;
-      const Vec2& there = field.gradient[from.node];
-      gradient += volume * Vec2(from.turn[0] * there[0] - from.turn[1] * there[1],
-                                from.turn[1] * there[0] + from.turn[0] * there[1]);
+      gradient += volume * from.turned(field.gradient[from.node]);
       fluidity += volume * field.fluidity[from.node];
       const std::size_t begin = from.node * count;
       for (std::size_t k = 0; k < count; ++k) {

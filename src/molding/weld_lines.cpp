@@ -11,12 +11,6 @@ namespace {
 /// Cosine of the angle between two fronts beyond which their meeting is a weld line.
 constexpr double weld_cosine = -0.5;
 
-/// The neighbour's inflow in the frame of the node.
-Vec2 turned(const ShellNeighbour& other, const Vec2& inflow) {
-  return {other.turn[0] * inflow[0] - other.turn[1] * inflow[1],
-          other.turn[1] * inflow[0] + other.turn[0] * inflow[1]};
-}
-
 const ShellNeighbour& neighbour_of(const ShellMesh& mesh, Index node, Index other) {
   return *std::ranges::find(mesh.neighbours(node), other, &ShellNeighbour::node);
 }
@@ -45,7 +39,7 @@ std::vector<WeldPoint> points_in(const ShellMesh& mesh, const FillingState& stat
 }  // namespace
 
 bool fronts_met_between(const FillingState& state, std::size_t node, const ShellNeighbour& other) {
-  const Vec2 &here = state.inflow[node], there = turned(other, state.inflow[other.node]);
+  const Vec2 &here = state.inflow[node], there = other.turned(state.inflow[other.node]);
   return here.dot(there) < weld_cosine * here.norm() * there.norm() && here.dot(other.direction) > 0 &&
          there.dot(other.direction) < 0;
 }
