@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/trimmed.hpp"
+#include "base/units.hpp"
 #include "io/decimal_column.hpp"
 #include "io/input_file.hpp"
 #include "io/text_faults.hpp"
@@ -69,11 +71,6 @@ bool is_length_unit(std::string heading) {
   return std::find(units.begin(), units.end(), heading) != units.end();
 }
 
-std::string heading_without_unit(const std::string& heading) {
-  const std::string unit = unit_in_heading(heading);
-  return unit.empty() ? heading : std::string(trimmed(heading.substr(0, heading.find_last_of("[("))));
-}
-
 }  // namespace
 
 std::string unit_in_heading(const std::string& heading) {
@@ -82,6 +79,20 @@ std::string unit_in_heading(const std::string& heading) {
   const char close = heading[open] == '[' ? ']' : ')';
   if (heading.back() != close) return "";
   return std::string(trimmed(std::string_view(heading).substr(open + 1, heading.size() - open - 2)));
+}
+
+std::string heading_without_unit(const std::string& heading) {
+  const std::string unit = unit_in_heading(heading);
+  return unit.empty() ? heading : std::string(trimmed(heading.substr(0, heading.find_last_of("[("))));
+}
+
+std::optional<double> factor_of_unit(const std::string& unit, const std::string& si_unit) {
+  if (unit.empty()) return std::nullopt;
+  try {
+    return unit_factor(unit, si_unit);
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
 }
 
 DelimitedTable::DelimitedTable(const std::string& path)

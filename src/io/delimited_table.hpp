@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -64,5 +65,9 @@ class DelimitedTable {
 
 /// Gives the unit in a heading such as "Length [mm]" or "Length (mm)"; nothing where there is none.
 [[nodiscard]] std::string unit_in_heading(const std::string& heading);
+/// Gives the heading without such a unit: "Length".
+[[nodiscard]] std::string heading_without_unit(const std::string& heading);
+/// The factor that turns numbers in a unit into those in `si_unit`; nothing where it is none of this kind.
+[[nodiscard]] std::optional<double> factor_of_unit(const std::string& unit, const std::string& si_unit);
 
 }  // namespace fiberfate

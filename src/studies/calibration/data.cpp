@@ -62,8 +62,7 @@ struct Heading {
 };
 Heading parts_of(const std::string& heading) {
   if (std::string unit = unit_in_heading(heading); !unit.empty())
-    return {heading.substr(0, heading.find_last_not_of(" [(", heading.find_first_of("[(")) + 1),
-            std::move(unit)};
+    return {heading_without_unit(heading), std::move(unit)};
   const std::size_t end = heading.rfind('_');
   return end == std::string::npos ? Heading{heading, ""}
                                   : Heading{heading.substr(0, end), heading.substr(end + 1)};
@@ -81,14 +80,10 @@ std::optional<std::vector<double>> numbers_of(const DelimitedTable& table, const
   for (std::size_t column = 0; column < table.columns(); ++column) {
     const Heading heading = parts_of(table.headings()[column]);
     if (lower(heading.quantity) != lower(quantity)) continue;
-    double factor = 1;
-    try {
-      factor = unit_factor(heading.unit, si_unit);
-    } catch (const std::invalid_argument&) {
-      continue;
-    }
+    const std::optional<double> factor = factor_of_unit(heading.unit, si_unit);
+    if (!factor) continue;
     std::vector<double> numbers = table.numbers(column);
-    for (double& number : numbers) number *= factor;
+    for (double& number : numbers) number *= *factor;
     return numbers;
   }
   return std::nullopt;

@@ -39,13 +39,7 @@ bool says_length(std::string heading) {
 
 /// Gives how many metres the unit in a heading has; nothing where it has none of length.
 std::optional<double> heading_factor(const std::string& heading) {
-  const std::string unit = unit_in_heading(heading);
-  if (unit.empty()) return std::nullopt;
-  try {
-    return unit_factor(unit, "m");
-  } catch (const std::invalid_argument&) {
-    return std::nullopt;
-  }
+  return factor_of_unit(unit_in_heading(heading), "m");
 }
 
 [[noreturn]] void refuse_choice(const DelimitedTable& table, const std::vector<std::size_t>& named) {
