@@ -46,6 +46,11 @@ class ContactLoads {
   [[nodiscard]] const PairForces& pairs() const { return pairs_; }
   /// Loads of the walls.
   [[nodiscard]] const RodLoads& walls() const { return wall_loads_; }
+  [[nodiscard]] const std::vector<WallContact>& wall_contacts() const { return walls_; }
+  /// The load of a wall's contact, by its number.
+  [[nodiscard]] const RodLoad& load_of_wall(std::size_t contact) const {
+    return wall_loads_.at(slots_[contact]);
+  }
   /// Largest normal force of a contact of rods, N.
   [[nodiscard]] double largest_normal_force() const;
   /// Predicted distance of axes below which two rods act on each other (those about to close included), m;

@@ -15,12 +15,6 @@ namespace {
 // Strayed fibers are looked for every so many steps; one cell's width of straying is harmless.
 constexpr std::int64_t steps_between_wraps = 64;
 
-Mat3 flow_map(const Flow& flow, double step) {
-  Cell fluid;
-  deform(fluid, flow.gradient, step);
-  return fluid.lattice;
-}
-
 /// Gives every rod its length back, along its present direction, about the fiber's centroid.
 void restore_lengths(FiberState& state, FiberIndex fiber) {
   Vec3 moved = state.position[state.begin_node(fiber)];
@@ -64,7 +58,7 @@ void extrapolate_to_middle(const FiberState& state, const Flow& flow, double ste
 void move_fibers(FiberState& state, const Flow& flow, double step,
                  IndexedSpan<NodeIndex, const Vec3> relative_velocity,
                  IndexedSpan<RodIndex, double> travelled) {
-  const Mat3 affine = flow_map(flow, step);
+  const Mat3 affine = flow_map(flow.gradient, step);
   parallel_for_weighted(state.first_node, [&](FiberIndex fiber) {
     for (const NodeIndex node : state.nodes(fiber)) {
       const Vec3 turned = product(flow.gradient, state.relative_velocity[node]);

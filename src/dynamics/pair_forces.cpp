@@ -11,7 +11,7 @@ namespace fiberfate {
 namespace {
 
 std::int64_t key_of(RodIndex other, std::int32_t image) {
-  return static_cast<std::int64_t>(other.value()) << 30 | image;
+  return static_cast<std::int64_t>(other.value()) << PairForces::image_bits | image;
 }
 
 }  // namespace

@@ -36,7 +36,11 @@ class PairForces {
   struct Share {
     std::int64_t key;  ///< orders the shares of a rod: who exerts it (rod, then image seen from this one)
     Index number;      ///< 2 × force, + 1 on the force's second rod
+
+    /// The rod that exerts it.
+    [[nodiscard]] RodIndex other() const { return RodIndex(key >> image_bits); }
   };
+  static constexpr int image_bits = 30;  ///< of a key
 
   /// Deals the forces of contacts, chunk after chunk, to the rods of a state with `nodes` nodes. Each rod's
   /// shares are ordered by key, so that sums over them always round alike.

@@ -35,6 +35,7 @@ class RodLoads {
   /// claimed, so that sums over them always round alike.
   void arrange(Index nodes, std::span<const Claim> claims, std::vector<Slot>& slots);
   [[nodiscard]] RodLoad& slot(Slot slot) { return loads_[slot]; }
+  [[nodiscard]] const RodLoad& at(Slot slot) const { return loads_[slot]; }
 
   [[nodiscard]] bool is_empty() const { return loads_.empty(); }
   [[nodiscard]] std::span<const RodLoad> of_rod(RodIndex rod) const {

@@ -15,8 +15,12 @@ void require_admissible(const DynamicsParameters& parameters);
 /// fibers not hundreds of times as long as the cell; raises InputError otherwise.
 void require_simulable(const FiberState& state);
 
-/// Checks that a flow can carry a cell: steps of simple shear u_x(y) in a matrix that has a viscosity; raises
+/// Checks that fibers can follow a flow: it goes in steps, in a matrix that has a viscosity; raises
 /// InputError otherwise.
 void require_simulable(const FlowHistory& flow);
+
+/// Checks that a cell can follow a flow for ever (lattice_choice.hpp), along its walls where it has any;
+/// raises InputError otherwise.
+void require_flow(const Cell& cell, const FlowHistory& flow);
 
 }  // namespace fiberfate

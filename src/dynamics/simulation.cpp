@@ -84,6 +84,13 @@ struct Simulation::Parts {
   void renew_list(const Flow& now, double step);
   [[nodiscard]] double margin_of(FiberIndex fiber, double ahead, double mean_ahead) const;
   double try_step(const Flow& now, double step);
+  [[nodiscard]] bool reaches(double event, double step) const {
+    return state.time + step >= event - 1e-6 * step;
+  }
+  [[nodiscard]] bool is_watched(double step) const {
+    return stress_interval > 0 && ((state.step + 1) % stress_interval == 0 || reaches(asked_time, step));
+  }
+  [[nodiscard]] ParticleStress measure_stress(const Flow& now, double step) const;
   void accept(const Flow& now, const StepChoice& choice, double error, double event);
   void measure(const Contact& contact, ContactStatistics& statistics, std::vector<double>& overlaps) const;
   [[nodiscard]] SimulationFailure failure(const std::string& what) const;
@@ -101,11 +108,14 @@ struct Simulation::Parts {
   ChainSolver solver;
   IndexedVector<NodeIndex, Vec3> middle;
   IndexedVector<NodeIndex, Vec3> velocity;
+  IndexedVector<NodeIndex, Vec3> last_velocity;  // of a watched step: about which contacts are linearised
   IndexedVector<RodIndex, double> tension;
   IndexedVector<RodIndex, double> margin;
   IndexedVector<RodIndex, double> travelled;
   IndexedVector<FiberIndex, double> error_by_fiber;
   bool list_is_stale = true;
+  std::int64_t stress_interval = 0;  // steps; 0: stress is not watched
+  double asked_time = 0;             // to which the present step advances at most, s
   // Results
   std::vector<BreakEvent> events;
   PhaseTimes times;
@@ -115,6 +125,7 @@ Simulation::Simulation(const DynamicsParameters& parameters, FlowHistory flow, F
   require_admissible(parameters);
   require_simulable(state);
   require_simulable(flow);
+  require_flow(state.cell, flow);
   const SuitableThreads threads = suitable_threads(state);
   parts_ = std::make_unique<Parts>(parameters, std::move(flow), std::move(state));
 }
@@ -130,6 +141,7 @@ StepReport Simulation::advance(double until) {
   const SuitableThreads threads = suitable_threads(p.state);
   const Flow now = p.flow.at(p.state.time);
   const double event = p.next_event(until);
+  p.asked_time = until;
   StepChoice choice = propose_step(p.parameters.step, p.state.step_size, now, event - p.state.time);
   int rejections = 0;
   double error = p.try_step(now, choice.size);
@@ -141,8 +153,10 @@ StepReport Simulation::advance(double until) {
   }
   if (!(p.state.time + choice.size > p.state.time))
     throw p.failure("the step is too short to advance the time");
+  StepReport report{choice.size, choice.limit, rejections};
+  if (p.is_watched(choice.size)) report.stress = p.measure_stress(now, choice.size);
   p.accept(now, choice, error, event);
-  return {choice.size, choice.limit, rejections};
+  return report;
 }
 
 /// Solves for the velocities of a trial step and returns its error.
@@ -151,6 +165,7 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
   extrapolate_to_middle(state, now, step, middle);
   IndexedSpan<NodeIndex, const Vec3> last = state.relative_velocity;
   for (int sweep = 0; sweep < parameters.contact.sweeps; ++sweep) {
+    if (is_watched(step)) last_velocity.assign(last.begin(), last.end());
     {
       const PhaseTimer timer(times, Phase::loads);
       loads.evaluate(search.contacts(), {state.position, last, now, step});
@@ -161,6 +176,12 @@ double Simulation::Parts::try_step(const Flow& now, double step) {
     last = velocity;
   }
   return displacement_error(state, step, error_by_fiber, velocity);
+}
+
+/// Evaluates the stress of the last trial step.
+ParticleStress Simulation::Parts::measure_stress(const Flow& now, double step) const {
+  const ChainProblem problem{state, middle, loads.walls(), now, step, &loads.pairs(), last_velocity};
+  return particle_stress({problem, velocity, tension, loads}, {parameters.drag, parameters.hinge});
 }
 
 void Simulation::Parts::find_contacts(const Flow& now, double step) {
@@ -203,7 +224,7 @@ double Simulation::Parts::margin_of(FiberIndex fiber, double ahead, double mean_
 void Simulation::Parts::accept(const Flow& now, const StepChoice& choice, double error, double event) {
   {
     const PhaseTimer timer(times, Phase::update);
-    const bool reaches_event = state.time + choice.size >= event - 1e-6 * choice.size;
+    const bool reaches_event = reaches(event, choice.size);
     move_fibers(state, now, choice.size, velocity, travelled);
     if (reaches_event) state.time = event;
     state.step_size = next_proposal(parameters.step, choice, state.step_size, error);
@@ -232,6 +253,10 @@ SimulationFailure Simulation::Parts::failure(const std::string& what) const {
     }
   }
   return {what, place};
+}
+
+void Simulation::watch_stress(std::int64_t steps) {
+  parts_->stress_interval = steps;
 }
 
 const FiberState& Simulation::state() const {

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/timer.hpp"
 #include "dynamics/break_event.hpp"
 #include "dynamics/parameters.hpp"
+#include "dynamics/particle_stress.hpp"
 #include "fibers/state.hpp"
 #include "microstructure/flow_history.hpp"
 
@@ -30,6 +32,8 @@ struct StepReport {
   double step_size = 0;  ///< s
   StepLimit limit = StepLimit::control;
   int rejections = 0;  ///< trial steps thrown away
+  /// Of the step, where it was asked for (watch_stress).
+  std::optional<ParticleStress> stress = {};
 };
 
 /// Steps a state: neighbours, loads, solve, trial, accept or shrink, breakage (docs/theory/particles.md).
@@ -48,6 +52,10 @@ class Simulation {
   /// the flow or a breakage check. Raises InputError for a time that is not ahead, SimulationFailure when no
   /// step above the minimum is acceptable or a position is not finite.
   StepReport advance(double until);
+
+  /// Lets every so many steps, counted from the state's first, report their particle stress, and those that
+  /// reach the time asked for; 0: none does.
+  void watch_stress(std::int64_t steps);
 
   [[nodiscard]] const FiberState& state() const;
   /// Hands over the breaks since the last call, in order of time, birth id and node.

@@ -1,6 +1,7 @@
 // The nodes of fibers: where they are, and which fiber and which rods they belong to.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "base/index.hpp"
@@ -49,6 +50,11 @@ struct FiberNodes {
   }
   [[nodiscard]] IndexRange<RodIndex> rods(FiberIndex fiber) const {
     return {rod_after(begin_node(fiber)), rod_after(last_node(fiber))};
+  }
+  /// The fiber that a node belongs to.
+  [[nodiscard]] FiberIndex fiber_of(NodeIndex node) const {
+    const auto next = std::upper_bound(first_node.begin(), first_node.end(), node);
+    return FiberIndex(next - first_node.begin() - 1);
   }
   /// The inner nodes of a fiber.
   [[nodiscard]] IndexRange<NodeIndex> hinges(FiberIndex fiber) const {

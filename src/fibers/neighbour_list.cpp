@@ -259,10 +259,7 @@ void NeighbourList::carry(const Flow& flow, double step, IndexedSpan<RodIndex, c
   parallel_for(travel_.indices(), [&](RodIndex rod) { travel_[rod] += quanta(travelled[rod] + share); });
   travelled_ += *std::max_element(travelled.begin(), travelled.end()) + share;
   if (has_to_be_swept()) sweep();
-  Cell fluid;
-  fluid.lattice = deformation_;
-  deform(fluid, flow.gradient, step);
-  deformation_ = fluid.lattice;
+  deformation_ = flow_map(flow.gradient, step) * deformation_;
   strain_ += principal_rate(flow) * step;
 }
 

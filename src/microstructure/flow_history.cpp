@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <utility>
 
 #include "base/error.hpp"
@@ -59,8 +60,16 @@ FlowHistory FlowHistory::ramp(double rate, double viscosity, double duration, in
   return FlowHistory(std::move(rows));
 }
 
+FlowHistory FlowHistory::repeated(std::vector<FlowRow> rows, double period) {
+  FlowHistory history(std::move(rows));
+  require_number("period", period, {.lower = history.rows_.back().time, .above_lower = true});
+  history.period_ = period;
+  return history;
+}
+
 FlowHistory FlowHistory::in_steps(int pieces) const {
   require_number("pieces", pieces, {.lower = 1});
+  if (form_ == HistoryForm::steps) return *this;
   std::vector<FlowRow> rows;
   double begin = 0;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
@@ -78,9 +87,27 @@ FlowHistory FlowHistory::in_steps(int pieces) const {
   return FlowHistory(std::move(rows));
 }
 
-std::size_t FlowHistory::row_at(double time) const {
-  const auto after = std::ranges::upper_bound(rows_, time, {}, &FlowRow::time);
-  return after == rows_.begin() ? 0 : after - rows_.begin() - 1;
+FlowHistory::Place FlowHistory::place_at(double time) const {
+  Place place;
+  if (period_ > 0 && time > 0) {
+    place.periods = std::floor(time / period_);
+    // The quotient may have been rounded up or down to a whole number.
+    while (place.periods > 0 && begin_of(place) > time) --place.periods;
+    while (begin_of({place.periods + 1, 0}) <= time) ++place.periods;
+  }
+  const auto rows = std::views::iota(std::size_t{0}, rows_.size());
+  const auto begins = [&](std::size_t row) { return begin_of({place.periods, row}); };
+  const auto after = std::ranges::upper_bound(rows, time, {}, begins);
+  place.row = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - rows.begin() - 1, 0));
+  return place;
+}
+
+FlowHistory::Place FlowHistory::next(const Place& place) const {
+  return place.row + 1 < rows_.size() ? Place{place.periods, place.row + 1} : Place{place.periods + 1, 0};
+}
+
+bool FlowHistory::is_last(std::size_t row) const {
+  return period_ == 0 && row + 1 == rows_.size();
 }
 
 bool FlowHistory::is_ramp(std::size_t row) const {
@@ -88,24 +115,24 @@ bool FlowHistory::is_ramp(std::size_t row) const {
 }
 
 Flow FlowHistory::at(double time) const {
-  const std::size_t i = row_at(time);
+  const std::size_t i = place_at(time).row;
   if (!is_ramp(i)) return rows_[i].flow;
   return between(rows_[i].flow, rows_[i + 1].flow,
                  (time - rows_[i].time) / (rows_[i + 1].time - rows_[i].time));
 }
 
 double FlowHistory::next_change(double time) const {
-  const std::size_t i = row_at(time);
-  return i + 1 < rows_.size() ? rows_[i + 1].time : std::numeric_limits<double>::infinity();
+  const Place place = place_at(time);
+  return is_last(place.row) ? std::numeric_limits<double>::infinity() : begin_of(next(place));
 }
 
 std::vector<FlowPart> FlowHistory::parts(double begin, double end) const {
   require_number("begin", begin, not_negative);
   require_number("end", end, {.lower = begin});
   std::vector<FlowPart> result;
-  for (std::size_t i = row_at(begin); i < rows_.size() && begin < end; ++i) {
-    const bool last = i + 1 == rows_.size();
-    const double until = last ? end : std::min(end, rows_[i + 1].time);
+  for (Place place = place_at(begin); begin < end; place = next(place)) {
+    const std::size_t i = place.row;
+    const double until = is_last(i) ? end : std::min(end, begin_of(next(place)));
     if (!is_ramp(i)) {
       result.push_back({until - begin, rows_[i].flow});
     } else {

@@ -41,6 +41,9 @@ class FlowHistory {
   /// then rate.
   static FlowHistory ramp(double rate, double viscosity, double duration, int steps);
 
+  /// Makes steps that repeat for ever: the rows of one period, all before its end.
+  static FlowHistory repeated(std::vector<FlowRow> rows, double period);
+
   /// Cuts every ramp into `pieces` equal steps that take the flow of their middle: the deviation of A2 falls
   /// with pieces squared.
   [[nodiscard]] FlowHistory in_steps(int pieces) const;
@@ -58,10 +61,23 @@ class FlowHistory {
   [[nodiscard]] HistoryForm form() const { return form_; }
 
  private:
-  [[nodiscard]] std::size_t row_at(double time) const;
+  /// A row, and how many periods have ended before it holds.
+  struct Place {
+    double periods = 0;
+    std::size_t row = 0;
+  };
+  [[nodiscard]] Place place_at(double time) const;
+  [[nodiscard]] Place next(const Place& place) const;
+  /// When a row begins to hold, s. Always this expression, so that times compare alike wherever they come
+  /// from.
+  [[nodiscard]] double begin_of(const Place& place) const {
+    return place.periods > 0 ? place.periods * period_ + rows_[place.row].time : rows_[place.row].time;
+  }
+  [[nodiscard]] bool is_last(std::size_t row) const;
   [[nodiscard]] bool is_ramp(std::size_t row) const;
   std::vector<FlowRow> rows_;
   HistoryForm form_;
+  double period_ = 0;  // 0: nothing is repeated
 };
 
 /// Raises InputError for a history of ramps, which nobody who asks for the next change can follow.

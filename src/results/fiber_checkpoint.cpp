@@ -128,6 +128,34 @@ void visit_record(Visitor& visitor, Record& record) {
   visitor.number("record", "cpu_s", record.cpu_s);
 }
 
+/// The lattice of a flow that stretches or turns it; one that is carried needs none of this.
+void write_frame(Hdf5File& file, const LatticeFrame& frame) {
+  if (frame.kind == LatticeKind::carried) return;
+  const std::vector<double> axes(frame.axes.data(), frame.axes.data() + 9);
+  const std::vector<double> first(frame.first.data(), frame.first.data() + 9);
+  const std::vector<double> strain(frame.strain.data(), frame.strain.data() + 3);
+  const std::vector<std::int32_t> basis(frame.basis.data(), frame.basis.data() + 9);
+  file.write("state/frame_kind", view(std::vector<std::uint8_t>{static_cast<std::uint8_t>(frame.kind)}));
+  file.write("state/frame_axes", view(axes), 3);
+  file.write("state/frame_first", view(first), 3);
+  file.write("state/frame_strain", view(strain));
+  file.write("state/frame_basis", view(basis), 3);
+}
+
+LatticeFrame read_frame(const Hdf5File& file, Loader& loader) {
+  LatticeFrame frame;
+  if (!file.contains("state/frame_kind")) return frame;
+  const int kind = loader.table<std::uint8_t>("state/frame_kind", 1, 1).front();
+  if (kind > static_cast<int>(LatticeKind::rotating))
+    throw StorageError(fmt::format("cannot read {}: its lattice is of an unknown kind", file.path()));
+  frame.kind = static_cast<LatticeKind>(kind);
+  frame.axes = Mat3(loader.table<double>("state/frame_axes", 3, 3).data());
+  frame.first = Mat3(loader.table<double>("state/frame_first", 3, 3).data());
+  frame.strain = Vec3(loader.table<double>("state/frame_strain", 1, 3).data());
+  frame.basis = Eigen::Matrix3i(loader.table<std::int32_t>("state/frame_basis", 3, 3).data());
+  return frame;
+}
+
 void write_rest(Hdf5File& file, const Checkpoint& checkpoint) {
   const FiberState& state = checkpoint.state;
   std::vector<double> lattice(state.cell.lattice.data(), state.cell.lattice.data() + 9);
@@ -140,15 +168,20 @@ void write_rest(Hdf5File& file, const Checkpoint& checkpoint) {
   for (std::size_t phase = 0; phase < phase_count; ++phase)
     seconds.push_back(checkpoint.record.times.seconds(static_cast<Phase>(phase)));
   file.write("state/lattice", view(lattice), 3);
+  write_frame(file, state.cell.frame);
   file.write("state/boundary", view(boundary));
   file.write("state/materials", view(materials), 3);
   file.write("record/timings", view(seconds));
+  if (!checkpoint.record.stress.empty()) file.write("record/stress", view(checkpoint.record.stress));
+  if (!checkpoint.record.stress_history.empty())
+    file.write("record/stress_history", view(checkpoint.record.stress_history));
   file.write_text("case", checkpoint.resolved_case);
 }
 
 void read_rest(const Hdf5File& file, Loader& loader, Checkpoint& checkpoint) {
   FiberState& state = checkpoint.state;
   state.cell.lattice = Mat3(loader.table<double>("state/lattice", 3, 3).data());
+  state.cell.frame = read_frame(file, loader);
   const auto boundary = loader.table<std::uint8_t>("state/boundary", 1, 3);
   for (std::size_t i = 0; i < 3; ++i)
     state.cell.boundary[i] = boundary[i] == 1 ? Boundary::walls : Boundary::periodic;
@@ -158,6 +191,9 @@ void read_rest(const Hdf5File& file, Loader& loader, Checkpoint& checkpoint) {
   const auto seconds = loader.table<double>("record/timings", 1, phase_count);
   for (std::size_t phase = 0; phase < phase_count; ++phase)
     checkpoint.record.times.add(static_cast<Phase>(phase), seconds[phase]);
+  if (file.contains("record/stress")) checkpoint.record.stress = loader.table<double>("record/stress", 1);
+  if (file.contains("record/stress_history"))
+    checkpoint.record.stress_history = loader.table<double>("record/stress_history", 1);
   checkpoint.resolved_case = file.read_text("case");
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/timer.hpp"
 #include "fibers/state.hpp"
@@ -19,6 +20,8 @@ struct RunRecord {
   double wall_s = 0;
   double cpu_s = 0;
   PhaseTimes times;
+  std::vector<double> stress = {};          ///< mean stress since the last row, as StressMean has it
+  std::vector<double> stress_history = {};  ///< what the study keeps of the stresses of all rows so far
 };
 
 /// A run at one moment.

@@ -24,6 +24,16 @@ struct RodDrag {
   StrainResistance strain;
 };
 
+/// The drag in a melt of so many times the viscosity.
+[[nodiscard]] inline RodDrag scaled(const RodDrag& drag, double factor) {
+  const StrainResistance& strain = drag.strain;
+  return {factor * drag.parallel,
+          factor * drag.perpendicular,
+          factor * drag.rotational,
+          drag.shape,
+          {factor * strain.along, factor * strain.aslant, factor * strain.across}};
+}
+
 /// Describes the rod whose resistance is wanted, and the fiber that it is part of: a law may depend on both.
 struct RodShape {
   double length = 0;  ///< l, m

@@ -5,18 +5,25 @@
 
 #include "base/error.hpp"
 #include "dynamics/simulable.hpp"
+#include "fibers/lattice_choice.hpp"
 #include "results/fiber_file.hpp"
 
 namespace fiberfate {
 namespace {
+
+/// The cell of a size that follows the flow.
+Cell cell_of(const StartRequest& start, const Vec3& size) {
+  Cell cell = start.flow != nullptr ? cell_for(*start.flow, size) : rectangular_cell(size);
+  cell.boundary[1] = start.boundary_y;
+  return cell;
+}
 
 StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, const Session& session) {
   Population population = plan_population(species(sample), concentration(sample), start.seed);
   PackingRequest request = packing_request(sample, start.contact, start.seed);
   request.materials = std::move(population.materials);
   request.fibers = std::move(population.fibers);
-  request.cell = rectangular_cell(population.cell_size);
-  request.cell.boundary[1] = start.boundary_y;
+  request.cell = cell_of(start, population.cell_size);
   PackingResult result = pack(request, [&session](const PackingProgress& now) {
     session.end_if_stopped(packing_stopped);
     session.show([&now] {
@@ -27,15 +34,17 @@ StartingFibers pack_fibers(const SampleCase& sample, const StartRequest& start, 
     });
   });
   session.end_progress();
+  result.state.cell = request.cell;
   number_by_height(result.state);
   return {std::move(result.state), std::move(result.report)};
 }
 
 /// Reads the fibers of a file; what is wrong with them is told with its name.
-FiberState read_fibers(const SampleCase& sample) {
+FiberState read_fibers(const SampleCase& sample, const StartRequest& start) {
   FiberState state = read_fiber_file(sample.cluster.file, materials(sample), sample.cell.size);
   try {
     require_simulable(state);
+    if (start.flow != nullptr) require_follows(state.cell, *start.flow);
   } catch (const InputError& error) {
     std::vector<InputProblem> problems = error.problems();
     for (InputProblem& problem : problems) {
@@ -64,7 +73,13 @@ void warn_of_sinking_in(const PackingReport& packing, Recorder& log) {
 StartingFibers make_fibers(const SampleCase& sample, const StartRequest& request, const Session& session) {
   if (sample.cluster.source == ClusterSource::generate) return pack_fibers(sample, request, session);
   StartingFibers fibers;
-  fibers.state = sample.cluster.source == ClusterSource::fiber ? single_fiber(sample) : read_fibers(sample);
+  if (sample.cluster.source == ClusterSource::fiber) {
+    fibers.state = single_fiber(sample);
+    fibers.state.cell = cell_of(request, fibers.state.cell.lattice.diagonal());
+    wrap_fibers(fibers.state);
+    return fibers;
+  }
+  fibers.state = read_fibers(sample, request);
   fibers.state.cell.boundary[1] = request.boundary_y;
   return fibers;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fibers/state.hpp"
+#include "microstructure/flow_history.hpp"
 #include "packing/packing_statistics.hpp"
 #include "studies/sample/case.hpp"
 #include "studies/session.hpp"
@@ -18,6 +19,8 @@ struct StartRequest {
   const ContactParameters& contact;  ///< under which a packing comes to rest
   Boundary boundary_y = Boundary::periodic;
   std::uint64_t seed = 1;
+  /// That the cell has to follow; without one it is a box.
+  const FlowHistory* flow = nullptr;
 };
 
 /// Fibers at time zero, at rest.

@@ -10,6 +10,7 @@
 #include "dynamics/breakage_laws/breakage_registry.hpp"
 #include "dynamics/friction_laws/friction_registry.hpp"
 #include "fibers/contact_laws/contact_registry.hpp"
+#include "fibers/lattice_choice.hpp"
 #include "keys/law_keys.hpp"
 #include "studies/pace.hpp"
 #include "studies/sample/estimate.hpp"
@@ -22,26 +23,30 @@ constexpr double default_frames = 50;  ///< of result.vtkhdf
 constexpr double most_frames = 1e6;    ///< more are a slip of the unit
 constexpr double most_steps = 1e13;    ///< more end on no machine
 
-void validate_flow(const ShearCellCase& values, CaseChecker& checker) {
-  const FlowChoices& flow = values.flow;
-  const std::string why = "this kind of flow needs it";
-  if (flow.kind != FlowKind::ramp)
-    checker.warn_unused({"flow.ramp_duration", "flow.ramp_steps"}, "flow.kind = \"ramp\"");
-  if (flow.kind != FlowKind::table) {
-    checker.require("flow.rate", why, "\"16.65 1/s\"");
-    checker.require("flow.viscosity", why, "\"200 Pa s\"");
-    checker.warn_unused({"flow.table"}, "flow.kind = \"table\"");
-    return;
-  }
-  checker.require("flow.table", why, R"([["0.5 s", "10 1/s", "300 Pa s"], ...])");
-  checker.warn_unused({"flow.rate", "flow.viscosity"}, "flow.kind = \"constant\" or \"ramp\"");
-  for (std::size_t i = 1; i < flow.table.size(); ++i) {
-    if (flow.table[i][0] > flow.table[i - 1][0]) continue;
-    checker.error_in_row("flow.table", i,
-                         fmt::format("the end time of row {} is not later than that of row {}", i + 1, i),
-                         "sort the rows by end time");
-    break;
-  }
+/// Finds flows that the cell cannot follow, or only with images that nearly touch.
+void validate_lattice(const ShearCellCase& values, CaseChecker& checker) {
+  constexpr double closest = 2;  // diameters between images
+  if (!checker.is_sound()) return;
+  const FlowHistory flow = flow_history(values.flow);
+  const char* place = values.flow.kind == FlowKind::table ? "flow.kind" : "flow.type";
+  double nearest = 1;
+  const auto follow = [&] { nearest = nearest_image_ever(cell_for(flow, Vec3::Ones())); };
+  if (!checker.report_at(place, follow)) return;
+  const bool is_shear = cell_for(flow, Vec3::Ones()).frame.kind == LatticeKind::carried;
+  if (values.boundary.y == Boundary::walls && !is_shear)
+    checker.error("boundary.y", "walls stand in a flow that is not along them, " + checker.cite("flow.type"),
+                  "take \"periodic\", or flow.type = \"shear\"");
+  const auto plan = plan_sample(values.sample, values.run.seed);
+  if (is_shear || !plan) return;
+  const double edge = std::cbrt(plan->cell_size.prod()), least = closest * values.sample.fibers.diameter;
+  if (nearest * edge < least)
+    checker.error(
+        values.sample.cell.size ? "cell.size" : "fibers.count",
+        fmt::format(
+            "the cell is too small for this flow: its images come as near as {:.3g} um, {:.2g} of its "
+            "edge",
+            1e6 * nearest * edge, nearest),
+        fmt::format("take a cell of at least {:.3g} mm", 1e3 * least / nearest));
 }
 
 void validate_breakage(const ShearCellCase& values, CaseChecker& checker) {
@@ -130,12 +135,13 @@ void validate_contact(const ShearCellCase& values, CaseChecker& checker) {
 
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker) {
   validate_sample(values.sample, checker);
-  validate_flow(values, checker);
+  validate_flow(values.flow, values.run.duration, checker);
   validate_contact(values, checker);
   validate_breakage(values, checker);
   validate_step(values.dynamics.step, checker);
   validate_step_count(values, checker);
   validate_output(values, checker);
+  validate_lattice(values, checker);
 }
 
 CaseEstimate estimate_shear_cell(const ShearCellCase& values) {
@@ -155,32 +161,13 @@ DynamicsParameters dynamics_parameters(const ShearCellCase& values) {
   return parameters;
 }
 
-FlowHistory flow_history(const FlowChoices& flow) {
-  if (flow.kind == FlowKind::table) {
-    // Rows of the table say until when they hold, rows of a history from when on.
-    std::vector<FlowRow> rows;
-    double begin = 0;
-    for (const std::vector<double>& row : flow.table) {
-      rows.push_back({begin, simple_shear(row[1], row[2])});
-      begin = row[0];
-    }
-    return FlowHistory(std::move(rows));
-  }
-  const double rate = flow.rate.value_or(0), viscosity = flow.viscosity.value_or(0);
-  if (flow.kind == FlowKind::ramp)
-    return FlowHistory::ramp(rate, viscosity, flow.ramp_duration, flow.ramp_steps);
-  return FlowHistory::constant(rate, viscosity);
-}
-
-double shear_strain(const FlowHistory& flow, double time) {
-  double strain = 0;
-  for (const FlowPart& part : flow.parts(0, time)) strain += part.flow.gradient(0, 1) * part.duration;
-  return strain;
-}
-
 double critical_radius(const BreakageParameters& breakage) {
   const double certain = breakage_law_named(breakage.law).certain_radius(breakage);
   return certain > 0 ? certain : breakage.critical_radius;
+}
+
+double stationary_from(const ShearCellCase& values) {
+  return values.output.stationary_from.value_or(0.5 * values.run.duration);
 }
 
 double frame_interval(const ShearCellCase& values) {

@@ -35,9 +35,10 @@ struct Trial {
 
 Trial try_out(const ShearCellCase& values, Session& session) {
   Trial trial;
-  StartingFibers fibers =
-      make_fibers(values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed}, session);
-  Simulation simulation(dynamics_parameters(values), flow_history(values.flow), std::move(fibers.state));
+  const FlowHistory flow = flow_history(values.flow);
+  StartingFibers fibers = make_fibers(
+      values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed, &flow}, session);
+  Simulation simulation(dynamics_parameters(values), flow, std::move(fibers.state));
   const double begin = simulation.state().time;
   const Stopwatch watch;
   const double end = begin + values.run.duration;
@@ -59,7 +60,7 @@ double expected_steps(const ShearCellCase& values, const Crowding& fibers) {
   const StepParameters& step = values.dynamics.step;
   const double duration = values.run.duration;
   if (step.control == StepControl::fixed) return duration / step.initial;
-  const double strain = shear_strain(flow_history(values.flow), duration);
+  const double strain = total_strain(flow_history(values.flow), duration);
   const double within_reach = fibers.volume_fraction * fibers.aspect_ratio * fibers.aspect_ratio;
   const double by_contact =
       within_reach * strain / (strain_a_step * std::pow(std::max(strain, 1.0), growth_with_strain));

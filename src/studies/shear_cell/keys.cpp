@@ -9,36 +9,6 @@
 namespace fiberfate {
 namespace {
 
-KeyGroup<FlowChoices> flow_keys() {
-  using Flow = FlowChoices;
-  const Range viscosities = {0, 1e9, Range::Ends::open_low};
-  const Choices<FlowKind> kinds = {
-      {FlowKind::constant, "constant", "rate and viscosity from the first moment"},
-      {FlowKind::ramp, "ramp", "the rate rises to flow.rate in equal steps"},
-      {FlowKind::table, "table", "rate and viscosity follow flow.table"}};
-  return {"flow",
-          "Simple shear: the melt moves along x, faster with y.",
-          {
-              key("kind", &Flow::kind, kinds, "How the flow develops."),
-              key("rate", &Flow::rate, {"1/s"}, Range::between(0, 1e7),
-                  "Shear rate, du_x/dy; for a ramp, the last one.", usual("\"16.65 1/s\""), "thesis table 3"),
-              key("viscosity", &Flow::viscosity, {"Pa s"}, viscosities, "Viscosity of the matrix.",
-                  usual("\"200 Pa s\""), "thesis table 3"),
-              key("ramp_duration", &Flow::ramp_duration, {"s"}, Range::positive(),
-                  "Time in which a ramp reaches flow.rate.", {}, "thesis figure 3.24"),
-              key("ramp_steps", &Flow::ramp_steps, {}, Range::between(1, 1e6),
-                  "Number of equal steps of a ramp; the first is flow.rate / ramp_steps.", {},
-                  "thesis figure 3.24"),
-              rows_key("table", &Flow::table,
-                       {{"end time", {"s", "s"}, Range::positive()},
-                        {"rate", {"1/s", "1/s"}, Range::between(0, 1e7)},
-                        {"viscosity", {"Pa s", "Pa s"}, viscosities}},
-                       "For kind = \"table\": rows [end time, rate, viscosity], the last of which lasts to "
-                       "the end; or the path of a text file with such rows in s, 1/s and Pa s.",
-                       optional(R"([["0.5 s", "10 1/s", "300 Pa s"], ["2 s", "100 1/s", "150 Pa s"]])")),
-          }};
-}
-
 KeyGroup<BoundaryChoices> boundary_keys() {
   const Choices<Boundary> ends = {
       {Boundary::periodic, "periodic", "the cell repeats, sheared (Lees-Edwards)"},
@@ -144,6 +114,14 @@ KeyGroup<OutputChoices> output_keys() {
       key("near_critical", &Output::near_critical, {"m", "um"}, Range::positive(1),
           "Hinges whose radius of curvature is this little above the breaking one are counted.", {},
           "thesis figure 3.31"),
+      key("stress_steps", &Output::stress_steps, {}, Range::between(0, 1e9),
+          "Time steps between two readings of the particle stress, whose means stand in series.csv; 0: none "
+          "is "
+          "read."),
+      key("stationary_from", &Output::stationary_from, {"s"}, Range::not_negative(),
+          "Simulated time from which on stresses are averaged for the summary; not given: half of "
+          "run.duration.",
+          optional("\"5 s\"")),
   };
   return {"output", "What is kept, and how often.",
           joined<Output>({rows_of_base<Output, SeriesChoices>(series_rows()), others})};

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dynamics/dissipation.hpp"
+#include "studies/shear_cell/stress_observables.hpp"
 
 namespace fiberfate {
 namespace {
@@ -48,7 +49,9 @@ Observables<CellMoment> flow_and_lengths() {
   return {
       {"time_s", "s", "", "", [](const CellMoment& m) { return m.state.time; }},
       {"strain", "", "", "", [](const CellMoment& m) { return m.strain; }, InSummary::as_number},
-      {"rate_per_s", "1/s", "rate", "flow", [](const CellMoment& m) { return m.flow.gradient(0, 1); }},
+      {"hencky_strain", "", "", "", [](const CellMoment& m) { return m.hencky_strain; },
+       InSummary::as_number},
+      {"rate_per_s", "1/s", "rate", "flow", [](const CellMoment& m) { return m.rate; }},
       {"viscosity_Pa_s", "Pa s", "", "", [](const CellMoment& m) { return m.flow.viscosity; }},
       {"steps", "", "", "", [](const CellMoment& m) { return count(m.state.step); }},
       {"fibers", "", "", "", [](const CellMoment& m) { return count(m.state.fiber_count()); }},
@@ -87,7 +90,9 @@ CellMoment moment_of(const ShearCellCase& values, const FlowHistory& flow, Simul
   return {values,
           state,
           flow.at(state.time),
-          shear_strain(flow, state.time),
+          flow_rate(values.flow, flow.at(state.time).gradient),
+          flow_strain(values.flow, flow, state.time),
+          hencky_strain(flow, state.time),
           mean_lengths(state),
           contacts,
           orientation_tensor(state, Weighting::length),
@@ -102,21 +107,27 @@ const Observables<CellMoment>& cell_observables() {
        tensor_observables<CellMoment>({"a", "", "", "a", "orientation", CurveStyle::dashed},
                                       [](const CellMoment& m) { return m.a2; }),
        tensor_observables<CellMoment>({"a", "_number"}, [](const CellMoment& m) { return m.a2_number; }),
-       hinges_and_contacts(), fourth_moments("", &CellMoment::a4),
+       hinges_and_contacts(), stress_observables(), fourth_moments("", &CellMoment::a4),
        fourth_moments("_number", &CellMoment::a4_number)});
   return all;
 }
 
 const std::vector<Chart>& cell_charts() {
-  static const std::vector<Chart> charts = {{"mean_lengths", "Mean fiber lengths", "length"},
-                                            {"orientation", "Orientation", "component of A_2"},
-                                            {"breaks", "Breaks", "breaks so far"},
-                                            {"near_critical", "Hinges near breaking", "hinges"},
-                                            {"contacts", "Contacts", "contacts per fiber"},
-                                            {"overlap", "Overlap of fibers in contact", "overlap"},
-                                            {"dissipation", "Power dissipated by drag", "power"},
-                                            {"step", "Step size", "step", AxisScale::logarithmic},
-                                            {"flow", "Shear rate", "rate"}};
+  static const std::vector<Chart> charts = {
+      {"mean_lengths", "Mean fiber lengths", "length"},
+      {"orientation", "Orientation", "component of A_2"},
+      {"breaks", "Breaks", "breaks so far"},
+      {"near_critical", "Hinges near breaking", "hinges"},
+      {"contacts", "Contacts", "contacts per fiber"},
+      {"overlap", "Overlap of fibers in contact", "overlap"},
+      {"viscosity", "Relative viscosity", "viscosity over the melt's"},
+      {"normal_stress", "Normal stress differences", "stress"},
+      {"stress", "Particle stress", "component"},
+      {"stress_causes", "What makes the shear stress", "component 12"},
+      {"power_balance", "Power that the flow spends on fibers", "power"},
+      {"dissipation", "Power dissipated by drag", "power"},
+      {"step", "Step size", "step", AxisScale::logarithmic},
+      {"flow", "Rate of the flow", "rate"}};
   return charts;
 }
 

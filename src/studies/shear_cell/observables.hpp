@@ -2,6 +2,7 @@
 // values in summary.json, the charts of the report.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dynamics/simulation.hpp"
@@ -16,11 +17,14 @@ struct CellMoment {
   const ShearCellCase& values;
   const FiberState& state;
   Flow flow;
-  double strain = 0;
+  double rate = 0;    ///< of the flow's type, 1/s
+  double strain = 0;  ///< the integral of the rate
+  double hencky_strain = 0;
   MeanLengths lengths;
   ContactStatistics contacts;
   Mat3 a2, a2_number;                         ///< by length, and every fiber counting one
   Eigen::Matrix<double, 6, 6> a4, a4_number;  ///< likewise
+  std::optional<ParticleStress> stress = {};  ///< mean since the row before; nothing where none was read
 };
 
 /// Measures the present moment; its contacts do not count as time of the run's phases.

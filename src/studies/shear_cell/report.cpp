@@ -15,16 +15,40 @@
 namespace fiberfate {
 namespace {
 
+/// Names a type of flow in a report.
+const char* name(FlowType type) {
+  switch (type) {
+    case FlowType::planar:
+      return "planar elongation";
+    case FlowType::uniaxial:
+      return "uniaxial elongation";
+    case FlowType::biaxial:
+      return "biaxial elongation";
+    case FlowType::mixed:
+      return "mixed planar flow";
+    case FlowType::gradient:
+      return "by velocity gradient";
+    default:
+      return "simple shear";
+  }
+}
+
 void append_flow(std::vector<Fact>& facts, const FlowChoices& flow) {
+  facts.push_back({"Flow", std::string(name(flow.type))});
   if (flow.kind == FlowKind::table) {
-    facts.push_back({"Flow", fmt::format("table of {} intervals", flow.table.size())});
+    const std::size_t rows = std::max(flow.table.size(), flow.gradient_table.size());
+    facts.push_back({"Flow over time", fmt::format("table of {} intervals", rows)});
     return;
   }
-  facts.push_back({"Shear rate", flow.rate.value_or(0), "1/s"});
+  const bool is_shear = flow.type == FlowType::shear;
+  if (flow.rate) facts.push_back({is_shear ? "Shear rate" : "Rate", *flow.rate, "1/s"});
   facts.push_back({"Matrix viscosity", flow.viscosity.value_or(0), "Pa s"});
-  facts.push_back({"Shear stress of the matrix", flow.rate.value_or(0) * flow.viscosity.value_or(0), "Pa"});
+  if (is_shear)
+    facts.push_back({"Shear stress of the matrix", flow.rate.value_or(0) * flow.viscosity.value_or(0), "Pa"});
+  if (flow.type == FlowType::mixed) facts.push_back({"alpha", flow.alpha});
   if (flow.kind == FlowKind::ramp)
     facts.push_back({"Ramp", fmt::format("{} steps in {:.4g} s", flow.ramp_steps, flow.ramp_duration)});
+  if (flow.kind == FlowKind::oscillation) facts.push_back({"Period", flow.period.value_or(0), "s"});
 }
 
 void append_breakage(std::vector<Fact>& facts, const BreakageParameters& breakage) {

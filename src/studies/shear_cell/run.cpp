@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "dynamics/stress_mean.hpp"
 #include "results/fiber_checkpoint.hpp"
 #include "results/fiber_frame.hpp"
 #include "results/output_schedule.hpp"
@@ -15,6 +17,7 @@
 #include "studies/shear_cell/observables.hpp"
 #include "studies/shear_cell/run_loop.hpp"
 #include "studies/shear_cell/status.hpp"
+#include "studies/shear_cell/stress_observables.hpp"
 
 namespace fiberfate {
 namespace {
@@ -31,8 +34,10 @@ class ShearCellRun {
  private:
   void write_outputs();
   void write_checkpoint();
-  void take_breaks();
+  void take(const StepReport& report);
   void show_progress(const StepReport& report);
+  [[nodiscard]] CellMoment moment();
+  [[nodiscard]] PolyFrame frame() const;
   void dump(const SimulationFailure& failure);
   [[nodiscard]] Outcome finish(const RunOutcome& outcome);
   [[nodiscard]] RunSummary summarise(const RunOutcome& outcome);
@@ -48,6 +53,9 @@ class ShearCellRun {
   OutputSchedule frame_times_;
   RunLimits limits_;
   Simulation simulation_;
+  StressMean stress_;  ///< since the last row
+  std::optional<ParticleStress> last_stress_;
+  StressHistory stress_history_;
   std::unique_ptr<RowSink> series_;
   std::unique_ptr<RowSink> breaks_;
   std::unique_ptr<FrameSink> frames_;
@@ -96,6 +104,8 @@ ShearCellRun::ShearCellRun(const ShearCellCase& values, Session& session, Checkp
       frame_times_(frame_schedule(values)),
       limits_(limits_of(values, session)),
       simulation_(dynamics_parameters(values), flow_, std::move(from.state)),
+      stress_(StressMean::from(from.record.stress)),
+      stress_history_(from.record.stress_history),
       series_(
           session.recorder().open_rows("series", columns_of(cell_observables()), from.record.series_rows)),
       breaks_(
@@ -104,6 +114,7 @@ ShearCellRun::ShearCellRun(const ShearCellCase& values, Session& session, Checkp
       begin_time_(simulation_.state().time),
       begin_wall_(session.wall_s()) {
   simulation_.times() = before_.times;
+  simulation_.watch_stress(values.output.stress_steps);
 }
 
 void ShearCellRun::begin() {
@@ -116,7 +127,7 @@ Outcome ShearCellRun::run() {
   actions.next_output = [this](double time) {
     return std::min(series_times_.next(time), frame_times_.next(time));
   };
-  actions.after_step = [this] { take_breaks(); };
+  actions.after_step = [this](const StepReport& report) { take(report); };
   actions.output = [this] { write_outputs(); };
   actions.checkpoint = [this] { write_checkpoint(); };
   actions.progress = [this](const StepReport& report) { show_progress(report); };
@@ -133,14 +144,38 @@ void ShearCellRun::write_outputs() {
   const FiberState& state = simulation_.state();
   const bool last = state.time >= limits_.end;
   if (last || series_times_.includes(state.time)) {
-    series_->append(measure(cell_observables(), moment_of(values_, flow_, simulation_)));
+    const CellMoment now = moment();
+    series_->append(measure(cell_observables(), now));
+    stress_history_.add(now);
+    stress_ = {};
     series_->flush();
     breaks_->flush();
   }
-  if (last || frame_times_.includes(state.time)) frames_->append(fiber_frame(state));
+  if (last || frame_times_.includes(state.time)) frames_->append(frame());
 }
 
-void ShearCellRun::take_breaks() {
+/// The present moment with the mean stress since the last row.
+CellMoment ShearCellRun::moment() {
+  CellMoment now = moment_of(values_, flow_, simulation_);
+  if (!stress_.is_empty()) now.stress = stress_.mean();
+  return now;
+}
+
+/// The present fibers with the stress of the last step, in the order 11, 22, 33, 12, 13, 23; NaN before the
+/// first.
+PolyFrame ShearCellRun::frame() const {
+  PolyFrame frame = fiber_frame(simulation_.state());
+  if (values_.output.stress_steps == 0) return frame;
+  const Mat3 s =
+      last_stress_ ? last_stress_->stress : Mat3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const std::vector<double> components = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(0, 2), s(1, 2)};
+  frame.frame_data.push_back({"particle_stress", "Pa", 6, components});
+  return frame;
+}
+
+void ShearCellRun::take(const StepReport& report) {
+  last_stress_ = report.stress;
+  if (report.stress) stress_.add(*report.stress, report.step_size);
   for (const BreakEvent& event : simulation_.take_break_events())
     breaks_->append(measure(break_observables(), event));
 }
@@ -153,6 +188,8 @@ RunRecord ShearCellRun::record() const {
   record.rejections = before_.rejections + rejections_;
   record.wall_s = before_.wall_s + session_.wall_s();
   record.cpu_s = before_.cpu_s + session_.cpu_s();
+  record.stress = stress_.numbers();
+  record.stress_history = stress_history_.numbers();
   return record;
 }
 
@@ -213,6 +250,7 @@ RunSummary ShearCellRun::summarise(const RunOutcome& outcome) {
   summary.segment_steps_per_s = outcome.speed();
   summary.max_overlap = last.contacts.max_overlap;
   fiberfate::summarise(cell_observables(), last, summary);
+  summarise_stress(stress_history_, stationary_from(values_), summary);
   summary.own.insert(summary.own.end(), {{"A2_number", last.a2_number},
                                          {"rejected_steps", now.rejections},
                                          {"stepping_s", outcome.stepping_seconds},
@@ -226,8 +264,9 @@ Outcome begin_run(const ShearCellCase& values, Session& session) {
   recorder.note("making the fibers");
   Checkpoint start;
   start.resolved_case = recorder.resolved_case();
-  StartingFibers fibers =
-      make_fibers(values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed}, session);
+  const FlowHistory flow = flow_history(values.flow);
+  StartingFibers fibers = make_fibers(
+      values.sample, {values.dynamics.contact, values.boundary.y, values.run.seed, &flow}, session);
   start.state = std::move(fibers.state);
   if (fibers.packing) warn_of_sinking_in(*fibers.packing, recorder);
   recorder.note(fmt::format("{} fibers of {} rods in all, {:.4g} % by volume, {} threads",

@@ -37,7 +37,7 @@ RunOutcome run_loop(Simulation& simulation, const RunLimits& limits, const RunAc
     const StepReport report = simulation.advance(due);
     outcome.stepping_seconds += wall_seconds() - before;
     outcome.rejections += report.rejections;
-    actions.after_step();
+    actions.after_step(report);
     if (state.time >= due) {
       actions.output();
       due = std::min(actions.next_output(state.time), limits.end);

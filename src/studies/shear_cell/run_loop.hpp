@@ -22,10 +22,10 @@ struct RunLimits {
 /// What is done between steps.
 struct RunActions {
   std::function<double(double)> next_output;  ///< first time after the given one at which output is due, s
-  std::function<void()> after_step;           ///< collects what the step produced
-  std::function<void()> output;               ///< writes what is due at the present time
-  std::function<void()> checkpoint;           ///< saves everything
-  std::function<void(const StepReport&)> progress;  ///< shows that the run is alive
+  std::function<void(const StepReport&)> after_step;  ///< collects what the step produced
+  std::function<void()> output;                       ///< writes what is due at the present time
+  std::function<void()> checkpoint;                   ///< saves everything
+  std::function<void(const StepReport&)> progress;    ///< shows that the run is alive
 };
 
 /// Counts what a run did in this process.
