@@ -41,7 +41,8 @@ def assert_same_result(one, other):
     others, _ = all_datasets(other / "result.vtkhdf")
     assert frames.keys() == others.keys()
     for name in frames:
-        assert numpy.array_equal(frames[name], others[name]), name
+        equal_nan = frames[name].dtype.kind == "f"  # no stress is known before the first step
+        assert numpy.array_equal(frames[name], others[name], equal_nan=equal_nan), name
 
 
 @pytest.mark.parametrize("steps", [[1], [7], [20, 3, 1, 40]])

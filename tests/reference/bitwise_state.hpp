@@ -19,6 +19,10 @@ inline void expect_bitwise_equal(const FiberState& a, const FiberState& b) {
   EXPECT_EQ(a.touches_previous, b.touches_previous);
   EXPECT_EQ(a.cell.lattice, b.cell.lattice);
   EXPECT_EQ(a.cell.boundary, b.cell.boundary);
+  EXPECT_EQ(a.cell.frame.kind, b.cell.frame.kind);
+  EXPECT_EQ(a.cell.frame.first, b.cell.frame.first);
+  EXPECT_EQ(a.cell.frame.strain, b.cell.frame.strain);
+  EXPECT_EQ(a.cell.frame.basis, b.cell.frame.basis);
   EXPECT_EQ(a.time, b.time);
   EXPECT_EQ(a.step_size, b.step_size);
   EXPECT_EQ(a.step, b.step);

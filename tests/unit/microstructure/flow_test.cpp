@@ -91,6 +91,25 @@ TEST(FlowHistory, TurnsRampsIntoStepsOfTheSameStrain) {
   EXPECT_NEAR(strain, 7 + 12, 1e-13);
 }
 
+TEST(FlowHistory, RepeatsForEver) {
+  const FlowHistory history = FlowHistory::repeated({{0, simple_shear(1)}, {0.1, simple_shear(-1)}}, 0.3);
+  EXPECT_EQ(history.at(0.05).gradient(0, 1), 1);
+  EXPECT_EQ(history.at(30.2).gradient(0, 1), -1);
+  // Whoever steps from change to change meets every one, whatever is rounded.
+  double time = 0;
+  for (int i = 0; i < 20000; ++i) {
+    EXPECT_EQ(history.at(time).gradient(0, 1), i % 2 == 0 ? 1 : -1) << time;
+    const double next = history.next_change(time);
+    ASSERT_GT(next, time + 0.09);
+    time = next;
+  }
+  EXPECT_NEAR(time, 3000, 1e-9);
+  double strain = 0;
+  for (const FlowPart& part : history.parts(0, 300)) strain += part.duration * part.flow.gradient(0, 1);
+  EXPECT_NEAR(strain, -100, 1e-9);
+  EXPECT_THROW(FlowHistory::repeated({{0, simple_shear(1)}, {0.1, simple_shear(2)}}, 0.1), InputError);
+}
+
 TEST(FlowHistory, RefusesDisorder) {
   const Flow shear = simple_shear(1, 1);
   EXPECT_THROW(FlowHistory(std::vector<FlowRow>{}), InputError);
