@@ -158,15 +158,24 @@ double time_that_a_box_stands(const Gradients& gradients, const FlowHistory& flo
   return time;
 }
 
+/// The frame that stretches or turns with all gradients, if there is one.
+std::optional<LatticeFrame> frame_for(const Gradients& gradients, const Vec3& size) {
+  for (auto frame : {stretched(gradients, size), rotating(gradients.front(), size)}) {
+    if (frame && follows(*frame, gradients)) return frame;
+  }
+  return {};
+}
+
 [[noreturn]] void refuse(const Gradients& gradients, const FlowHistory& flow, const Vec3& size) {
-  const double time = time_that_a_box_stands(gradients, flow, size);
+  const bool each_alone = std::ranges::all_of(gradients, [&](const Mat3& gradient) {
+    return is_simple_shear(gradient) || frame_for({gradient}, size);
+  });
   const char* reason =
-      gradients.size() > 1 && real_axes(gradients.front())
-          ? "its gradients have different axes"
-          : "its gradient turns and stretches at once, or shears along an axis that it stretches";
+      each_alone ? "its gradients have different axes"
+                 : "its gradient turns and stretches at once, or shears along an axis that it stretches";
   throw InputError(
       fmt::format("no lattice comes back to itself in this flow: {}; a box would be flat at {:.3g} s", reason,
-                  time),
+                  time_that_a_box_stands(gradients, flow, size)),
       "give simple shear u_x(y), elongations along the same axes, or flows in x and y that are multiples of "
       "one");
 }
@@ -177,9 +186,8 @@ Cell cell_for(const FlowHistory& flow, const Vec3& size) {
   const Gradients gradients = gradients_of(flow);
   require_volume(gradients);
   if (is_carried(gradients)) return rectangular_cell(size);
-  auto frame = stretched(gradients, size);
-  if (!frame || !follows(*frame, gradients)) frame = rotating(gradients.front(), size);
-  if (!frame || !follows(*frame, gradients)) refuse(gradients, flow, size);
+  const auto frame = frame_for(gradients, size);
+  if (!frame) refuse(gradients, flow, size);
   return cell_of(*frame);
 }
 

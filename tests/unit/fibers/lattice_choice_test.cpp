@@ -70,7 +70,8 @@ TEST(CellFor, TakesTheSizeAlongTheAxesOfAnElongation) {
   const Cell cell = cell_for(steps({rows({1, 0, 0, 0, 0, 0, 0, 0, -1})}), Vec3(1, 2, 3));
   // Nothing moves along y: there the cell keeps its edge, and the images are those of a box.
   bool has_edge = false;
-  for (int i = 0; i < 3; ++i) has_edge = has_edge || (cell.lattice.col(i).cwiseAbs() - Vec3(0, 2, 0)).norm() < 1e-12;
+  for (int i = 0; i < 3; ++i)
+    has_edge = has_edge || (cell.lattice.col(i).cwiseAbs() - Vec3(0, 2, 0)).norm() < 1e-12;
   EXPECT_TRUE(has_edge) << cell.lattice;
   EXPECT_NEAR(cell.volume(), 6, 1e-12);
 }
@@ -80,7 +81,8 @@ TEST(CellFor, RefusesWhatNoLatticeFollows) {
   EXPECT_NE(refusal_of({rows({1, 5, 0, -5, 1, 0, 0, 0, -2})}).find("turns and stretches"), std::string::npos);
   EXPECT_NE(refusal_of({rows({1, 1, 0, 0, 1, 0, 0, 0, -2})}).find("shears along an axis"), std::string::npos);
   EXPECT_NE(refusal_of({shear, planar}).find("different axes"), std::string::npos);
-  EXPECT_NE(refusal_of({planar, rows({0, 1, 0, 1, 0, 0, 0, 0, 0})}).find("different axes"), std::string::npos);
+  EXPECT_NE(refusal_of({planar, rows({0, 1, 0, 1, 0, 0, 0, 0, 0})}).find("different axes"),
+            std::string::npos);
   EXPECT_NE(refusal_of({rows({0, 0, 1, 0, 0, 0, 0, 0, 0})}).find("flat at"), std::string::npos);
 }
 
@@ -98,8 +100,10 @@ TEST(RequireFollows, RefusesACellMadeForAnotherFlow) {
 TEST(NearestImageEver, IsTheBoundOfTheLattice) {
   EXPECT_NEAR(nearest_image_ever(cell_for(steps({planar}), cube)), std::pow(0.8, 0.25), 1e-3);
   EXPECT_NEAR(nearest_image_ever(cell_for(steps({uniaxial}), cube)), 0.9054, 1e-3);
-  EXPECT_NEAR(nearest_image_ever(cell_for(steps({rows({0.05, 1, 0, 0, -0.05, 0, 0, 0, 0})}), cube)), 0.2112, 2e-3);
-  EXPECT_NEAR(nearest_image_ever(cell_for(steps({rows({0, 1, 0, -0.05, 0, 0, 0, 0, 0})}), cube)), 0.4729, 1e-3);
+  EXPECT_NEAR(nearest_image_ever(cell_for(steps({rows({0.05, 1, 0, 0, -0.05, 0, 0, 0, 0})}), cube)), 0.2112,
+              2e-3);
+  EXPECT_NEAR(nearest_image_ever(cell_for(steps({rows({0, 1, 0, -0.05, 0, 0, 0, 0, 0})}), cube)), 0.4729,
+              1e-3);
 }
 
 }  // namespace
