@@ -180,6 +180,29 @@ std::optional<LatticeFrame> frame_for(const Gradients& gradients, const Vec3& si
       "one");
 }
 
+// Strains up to this one visit every shape: the lattice subtracts its returns.
+constexpr double widest_strain = 4;
+
+/// How many strains to look at along each axis: the more parallel the axes, the faster a strain shears the
+/// cell.
+int samples_of(const LatticeFrame& frame) {
+  constexpr double samples = 64, most_planar = 1e5, most_spatial = 400;
+  const double slant = frame.axes.norm() * frame.axes.inverse().norm() / 3;
+  return static_cast<int>(
+      std::min(samples * slant, frame.kind == LatticeKind::spatial ? most_spatial : most_planar));
+}
+
+LatticeFrame strained_by(LatticeFrame frame, double first, double second) {
+  if (frame.kind == LatticeKind::rotating) {
+    frame.strain.x() += first;
+    return frame;
+  }
+  const bool is_spatial = frame.kind == LatticeKind::spatial;
+  const Vec3 strain = is_spatial ? Vec3(first, second, -first - second) : Vec3(first, -first, 0);
+  frame.flow(frame.axes * strain.asDiagonal() * frame.axes.inverse(), 1);
+  return frame;
+}
+
 }  // namespace
 
 Cell cell_for(const FlowHistory& flow, const Vec3& size) {
@@ -211,23 +234,15 @@ void require_follows(const Cell& cell, const FlowHistory& flow) {
 }
 
 double nearest_image_ever(const Cell& cell) {
-  constexpr int samples = 64;  // along each strain; the shortest image varies by 1e-3 between them
   if (cell.frame.kind == LatticeKind::carried) return nearest_image(cell);
+  const bool is_spatial = cell.frame.kind == LatticeKind::spatial;
+  const int samples = samples_of(cell.frame);
   double nearest = nearest_image(cell);
-  LatticeFrame frame = cell.frame;
-  const bool is_spatial = frame.kind == LatticeKind::spatial;
   for (int i = 0; i < samples; ++i) {
     for (int j = 0; j < (is_spatial ? samples : 1); ++j) {
-      // Strains of a few units visit every shape: the lattice subtracts its returns.
-      const double first = 4.0 * i / samples, second = 4.0 * j / samples;
-      frame = cell.frame;
-      const Vec3 rates = is_spatial ? Vec3(first, second, -first - second) : Vec3(first, -first, 0);
-      if (frame.kind == LatticeKind::rotating) {
-        frame.strain.x() += first;
-      } else {
-        frame.flow(frame.axes * rates.asDiagonal() * frame.axes.inverse(), 1);
-      }
-      nearest = std::min(nearest, nearest_image(cell_of(frame)));
+      const LatticeFrame strained =
+          strained_by(cell.frame, widest_strain * i / samples, widest_strain * j / samples);
+      nearest = std::min(nearest, nearest_image(cell_of(strained)));
     }
   }
   return nearest;

@@ -88,7 +88,7 @@ REFUSED = {
     "shear across": ('type = "gradient"\ngradient = [[0, 0, 9, 0, 0, 0, 0, 0, 0]]', "a box would be flat at"),
     "no gradient": ('type = "gradient"', "flow.gradient"),
     "no period": ('kind = "oscillation"\nrate = "1 1/s"', "flow.period"),
-    "thin": ('type = "gradient"\ngradient = [[1e-5, 20, 0, 0, -1e-5, 0, 0, 0, 0]]', "take a cell of at least"),
+    "thin": ('type = "gradient"\ngradient = [[0.02, 20, 0, 0, -0.02, 0, 0, 0, 0]]', "take a cell of at least"),
     "empty row": ('type = "gradient"\nkind = "table"\ngradient_table = [[]]', "gradient_table"),
     "short row": ('kind = "table"\ntable = [["1 s", "2 1/s"]]', "table"),
     "alpha": ('type = "mixed"\nalpha = 2\nrate = "1 1/s"', "alpha"),
