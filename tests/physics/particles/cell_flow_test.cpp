@@ -2,6 +2,7 @@
 // ever.
 #include <gtest/gtest.h>
 
+#include "base/threads.hpp"
 #include "fibers/lattice_choice.hpp"
 #include "reference/bitwise_state.hpp"
 #include "scenes.hpp"
@@ -133,10 +134,10 @@ TEST(IsotropicRods, OrientByTheoryInAnyFlow) {
 }
 
 /// Fibers at 8 % by volume in a cell that follows a flow.
-FiberState crowd_in(const FlowHistory& flow, double edge = 2.4e-4) {
+FiberState crowd_in(const FlowHistory& flow, double edge = 2.4e-4, std::uint32_t fibers = 40) {
   FiberState state = scenes::empty_cell(1, {.radius = 5e-6, .youngs_modulus = 73e9, .density = 2550});
   state.cell = cell_for(flow, Vec3::Constant(edge));
-  for (std::uint32_t i = 0; i < 40; ++i) {
+  for (std::uint32_t i = 0; i < fibers; ++i) {
     const auto u = uniform4(5, RandomStream::position, {i, 0, 0});
     const auto v = uniform4(5, RandomStream::orientation, {i, 0, 0});
     const Vec3 p = Vec3(v[0] - 0.5, v[1] - 0.5, v[2] - 0.5).normalized();
@@ -196,6 +197,59 @@ TEST(CellInElongation, ContinuesBitwiseAcrossAChangeOfBasis) {
   scenes::run_until(resumed, 0.15);
   EXPECT_NE(whole.state().cell.frame.basis, crowd_in(flow).cell.frame.basis) << "no basis changed";
   expect_bitwise_equal(whole.state(), resumed.state());
+}
+
+TEST(CellInElongation, IsTheSameWhenDoubled) {
+  const FlowHistory flow = history(10 * uniaxial);
+  const FiberState state = crowd_in(flow);
+  FiberState doubled = state;
+  const Vec3 shift = state.cell.lattice.col(1);
+  for (const FiberIndex fiber : state.fibers()) {
+    std::vector<Vec3> nodes(state.positions(fiber).begin(), state.positions(fiber).end());
+    for (Vec3& node : nodes) node += shift;
+    append_fiber(doubled, {nodes, 0});
+  }
+  doubled.cell.frame.basis.col(1) *= 2;
+  doubled.cell.lattice = doubled.cell.frame.lattice();
+  Simulation one(scenes::fixed_step(1e-5), flow, state), two(scenes::fixed_step(1e-5), flow, doubled);
+  for (int i = 0; i < 20; ++i) {
+    one.advance(1);
+    two.advance(1);
+  }
+  for (const NodeIndex node : one.state().nodes()) {
+    const Vec3& expected = one.state().relative_velocity[node];
+    EXPECT_LT((two.state().relative_velocity[node] - expected).norm(), 1e-8);
+    EXPECT_LT((two.state().relative_velocity[node + one.state().node_count()] - expected).norm(), 1e-8);
+  }
+}
+
+/// The state after 150 steps of a crowd large enough to be shared between threads, and the stresses on the
+/// way.
+std::pair<FiberState, std::vector<Mat3>> stretched_with(int threads) {
+  const int before = thread_count();
+  use_threads(threads);
+  const FlowHistory flow = history(20 * uniaxial);
+  DynamicsParameters parameters;
+  parameters.breakage.law = "fixed";
+  parameters.breakage.critical_radius = 3e-3;
+  Simulation simulation(parameters, flow, crowd_in(flow, 1e-3, 800));
+  simulation.watch_stress(10);
+  std::vector<Mat3> stresses;
+  for (int i = 0; i < 150; ++i) {
+    const StepReport report = simulation.advance(1);
+    if (report.stress) stresses.push_back(report.stress->stress);
+  }
+  use_threads(before);
+  return {simulation.state(), stresses};
+}
+
+TEST(ThreadInvariance, HoldsInElongationWithBreakageAndForStresses) {
+  const auto [one, stress_of_one] = stretched_with(1);
+  const auto [two, stress_of_two] = stretched_with(2);
+  EXPECT_GT(one.breaks, 0);
+  expect_bitwise_equal(one, two);
+  EXPECT_EQ(stress_of_one, stress_of_two);
+  EXPECT_EQ(stress_of_one.size(), 15U);
 }
 
 TEST(CellInAnOscillation, ComesBackWithItsFluid) {
