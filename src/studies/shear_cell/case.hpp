@@ -21,7 +21,7 @@ struct OutputChoices : SeriesChoices {
   double length_bin = 0.1e-3;           ///< width of the bins of the length histogram, m
   double radius_bin = 25e-6;            ///< width of the bins of the histogram of radii of curvature, m
   double near_critical = 50e-6;         ///< hinges within this of the critical radius are counted, m
-  std::int64_t stress_steps = 20;       ///< steps between two readings of the particle stress; 0: no reading
+  std::int64_t stress_steps = 50;       ///< steps between two readings of the particle stress; 0: no reading
   std::optional<double>
       stationary_from;  ///< start of the time over which stresses are averaged, s; not given: half
 };
