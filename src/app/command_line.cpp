@@ -223,6 +223,7 @@ void add_result_commands(CLI::App& app, Commands& commands) {
       ->add_option("--out", commands.report.out,
                    "The page; of several results comparison.html in the folder that holds them all")
       ->type_name("FILE");
+  add_overwrite(*report, commands.report.existing, "a page that --out names, or a comparison, that is");
   report->callback([&commands] { commands.status = run_report(commands.report); });
 
   CLI::App* export_result = app.add_subcommand("export", "Write a result in another format");
