@@ -35,7 +35,7 @@ Observables<Moment> stress() {
          InSummary::as_number},
         {"effective_viscosity_Pa_s", "Pa s", "informed isotropic", group,
          [](const Moment& m) { return m.stress.effective_viscosity; }, InSummary::as_number}},
-       tensor_observables<Moment>({"stress_", "_Pa", "Pa", "σ", "stress"},
+       tensor_observables<Moment>({"stress_", "_Pa", "Pa", "sigma", "stress"},
                                   [](const Moment& m) { return m.stress.extra; })});
 }
 

@@ -114,7 +114,6 @@ std::vector<Fact> outcome_facts(const SummaryFile& summary) {
           {"Volume fraction", 100 * summary.number("volume_fraction"), "%"},
           {"Smallest radius of curvature", summary.number("min_radius_m"), "m"},
           {"Contacts per fiber", summary.number("contacts_per_fiber")},
-          {"Largest overlap at the end", summary.number("max_overlap_radii"), "radii"},
           {"Orientation tensor", summary.tensor("A2"), "", "by length"}};
 }
 
