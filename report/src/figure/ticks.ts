@@ -54,11 +54,13 @@ export function bar_ticks(min: number, max: number): number[] {
   return linear_ticks(min, max, 5);
 }
 
-const long_number = 1e7;
+const [long_number, short_number] = [1e7, 1e-3];
 
 /** Writes ticks in full: they are round, so that they have no more digits than they need. Where one is a power of ten, all are. */
 export function write_ticks(ticks: number[]): string[] {
-  const powers = ticks.some((tick) => Math.abs(tick) >= long_number);
+  const sizes = ticks.map(Math.abs).filter((size) => size > 0);
+  const largest = Math.max(...sizes);
+  const powers = largest >= long_number || (largest < 1 && Math.min(...sizes) < short_number);
   return ticks.map((tick) => (powers && tick ? write_power(tick, 9) : write_number(tick, 9)));
 }
 
