@@ -23,7 +23,7 @@ struct CellHistory {
 /// What a page has room for.
 struct PageRoom {
   double exact_bytes = 8e6;     ///< of nodes as float32 in all frames together; more are put on a grid
-  double encoded_bytes = 12e6;  ///< of what is on a grid: 17 MB of HTML, which open in 3 s
+  double encoded_bytes = 8e6;  ///< of what is on a grid: 12 MB of HTML
 };
 
 /// Shows the cell at as many frames and with as many fibers as a page can carry, and says which in the
