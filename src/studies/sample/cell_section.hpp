@@ -22,7 +22,7 @@ struct CellHistory {
 
 /// What a page has room for.
 struct PageRoom {
-  double exact_bytes = 8e6;     ///< of nodes as float32 in all frames together; more are put on a grid
+  double exact_bytes = 8e6;    ///< of nodes as float32 in all frames together; more are put on a grid
   double encoded_bytes = 8e6;  ///< of what is on a grid: 12 MB of HTML
 };
 
