@@ -65,11 +65,16 @@ export function write_number(value: Value | undefined, digits = 4): string {
   if (Number.isInteger(value) && Math.abs(value) < 1e7) return group(String(value));
   const magnitude = Math.abs(value);
   if (magnitude >= 1e6 || magnitude < 1e-3) {
-    const [mantissa, exponent] = value.toExponential(digits - 1).split("e") as [string, string];
-    const short = String(Number(mantissa)).replace("-", minus);
-    return `${short}\u2009×\u200910${superscript(Number(exponent))}`;
+    return write_power(value, digits);
   }
   return group(String(Number(value.toPrecision(digits))));
+}
+
+/** Writes a number as a power of ten. */
+export function write_power(value: number, digits = 4): string {
+  const [mantissa, exponent] = value.toExponential(digits - 1).split("e") as [string, string];
+  const short = String(Number(mantissa)).replace("-", minus);
+  return `${short}\u2009×\u200910${superscript(Number(exponent))}`;
 }
 
 function group(text: string): string {
@@ -96,9 +101,12 @@ export function write_quantity(value: Value | undefined, unit?: string, digits =
   return shown.unit === "°" || shown.unit === "%" ? `${number}\u2009${shown.unit}` : `${number}\u00a0${shown.unit}`;
 }
 
+/** Greek letters that documents write out. */
+const greek: Record<string, string> = { sigma: "σ", tau: "τ", eta: "η", xi: "ξ" };
+
 /** Tells whether a label is a component of a tensor, such as a_11. */
 export function is_component(label: string): boolean {
-  return /^\p{L}_?[1-3]{2}$/u.test(label);
+  return /^(\p{L}|sigma|tau)_?[1-3]{2}$/u.test(label);
 }
 
 /** A piece of a label: upright text, or a subscript ("L_N" is L with subscript N). */
@@ -108,11 +116,11 @@ export interface LabelPart {
 }
 
 /** A symbol with an underscore, such as L_N, or a component of an orientation tensor without one, such as A11. */
-const symbols = /(?<![\p{L}\d_])(?:(\p{L})_([A-Za-z0-9]{1,6})|(A)([1-3]{2}|[1-3]{4}))(?![\p{L}\d_])/giu;
+const symbols = /(?<![\p{L}\d_])(?:(\p{L}|sigma|tau|eta|xi)_([A-Za-z0-9]{1,6})|(A)([1-3]{2}|[1-3]{4}))(?![\p{L}\d_])/giu;
 
 /** Components of tensors have one notation, with a small letter, however the document writes them. */
 function write_letter(letter: string, index: string): string {
-  return letter === "A" && /^([1-3]{2}){1,2}$/.test(index) ? "a" : letter;
+  return letter === "A" && /^([1-3]{2}){1,2}$/.test(index) ? "a" : (greek[letter] ?? letter);
 }
 
 export function split_label(label: string): LabelPart[] {

@@ -60,6 +60,12 @@ export function choose_headlines(found: ReportDocument): Headline[] {
   return [...headlines.filter((one) => one.course), ...headlines.filter((one) => !one.course)].slice(0, most_headlines);
 }
 
+/** Tells whether a chart shows this fact of all runs: alone, as comparisons have it. */
+function drawn_alone(found: ReportDocument, label: string): boolean {
+  const name = plain(label.split(", ").at(-1)!);
+  return found.sections.some((section) => section.kind === "lines" && plain((section.title ?? "").split(": ").at(-1)!) === name);
+}
+
 const most_compared = 4;
 const round_off = 1e-6;
 
@@ -72,5 +78,9 @@ export function choose_compared(found: ReportDocument): { fact: ComparedFact; ru
     const [least, most] = [Math.min(...fact.values), Math.max(...fact.values)];
     return most - least > round_off * Math.max(Math.abs(least), Math.abs(most));
   };
-  return (marked.length > 0 ? marked : all.filter(differs)).slice(0, most_compared);
+  if (marked.length > 0) return marked.slice(0, most_compared);
+  const found_different = all.filter(differs);
+  // As on the page of one run: first what has a course.
+  const has_course = ({ fact }: { fact: ComparedFact }): boolean => drawn_alone(found, fact.label);
+  return [...found_different.filter(has_course), ...found_different.filter((one) => !has_course(one))].slice(0, most_compared);
 }

@@ -223,6 +223,7 @@ void add_result_commands(CLI::App& app, Commands& commands) {
       ->add_option("--out", commands.report.out,
                    "The page; of several results comparison.html in the folder that holds them all")
       ->type_name("FILE");
+  add_overwrite(*report, commands.report.existing, "a page that --out names, or a comparison, that is");
   report->callback([&commands] { commands.status = run_report(commands.report); });
 
   CLI::App* export_result = app.add_subcommand("export", "Write a result in another format");
@@ -258,10 +259,16 @@ void add_result_commands(CLI::App& app, Commands& commands) {
   import_case->callback([&commands] { commands.status = run_import(commands.import_case); });
 }
 
-constexpr const char* resume_keeps_the_case =
-    "'resume' goes on with the case as it was: to change keys of a cell from here on, start the changed case "
-    "from the saved fibers: fiberfate run CASE.toml --out NEW --set KEY=VALUE --set cluster.source=file "
-    "--set cluster.file=/path/to/DIR/checkpoint.h5";
+/// Says how a changed cell starts from saved fibers: paths in a case begin at its folder.
+std::string resume_keeps_the_case(const std::vector<std::string>& words) {
+  const std::string folder = words.size() > 1 && !words[1].starts_with('-') ? words[1] : "DIR";
+  const std::filesystem::path saved_case = std::filesystem::path(folder) / "case.resolved.toml";
+  return fmt::format(
+      "'resume' goes on with the case as it was: to change keys of a cell from here on, start the changed "
+      "case from the saved fibers: fiberfate run {} --out NEW --set KEY=VALUE --set cluster.source=file "
+      "--set cluster.file=checkpoint.h5",
+      saved_case.string());
+}
 
 /// States what is wrong with a command line that CLI11 refused, with the nearest option or command.
 std::string refusal(const CLI::App& app, const CLI::ParseError& error,
@@ -283,7 +290,7 @@ std::string refusal(const CLI::App& app, const CLI::ParseError& error,
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || std::find(options.begin(), options.end(), name) != options.end()) continue;
     if (command->get_name() == "resume" && (name == "--set" || name == "--variant"))
-      return resume_keeps_the_case;
+      return resume_keeps_the_case(words);
     const std::string nearest = nearest_word(name, options);
     return fmt::format("unknown option '{}': {}", name,
                        nearest.empty() ? fmt::format("the options are {}", fmt::join(options, ", "))

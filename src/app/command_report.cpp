@@ -26,11 +26,13 @@ bool is_report(const std::string& path) {
   return text.find("id=\"fiberfate-document\"") != std::string::npos;
 }
 
-/// Writes a page where the user wants it; only reports are replaced.
-void write_page(const std::string& path, const std::string& page) {
+/// Writes a page where the user wants it; only reports are replaced, and where that is wanted.
+void write_page(const ReportOptions& options, const std::string& path, const std::string& page) {
   if (std::filesystem::is_directory(path))
     throw InputError(path + " is a folder", "name the page, --out " + path + "/comparison.html");
   if (std::filesystem::exists(path) && !is_report(path)) refuse_foreign(path);
+  if (std::filesystem::exists(path) && options.existing == ReportOptions::Existing::refuse)
+    throw InputError(path + " is there already", "give another page with --out, or add --overwrite");
   replace_file(path, page);
 }
 
@@ -50,13 +52,13 @@ int run_report(const ReportOptions& options) {
   std::string path = options.out;
   if (options.folders.size() > 1) {
     if (path.empty()) path = comparison_path(options.folders);
-    write_page(path, render_report(compare_folders(options.folders)));
+    write_page(options, path, render_report(compare_folders(options.folders)));
   } else {
     const ResultFolder folder = ResultFolder::open(options.folders.front());
     if (path.empty())
       path = write_report(folder);
     else
-      write_page(path, render_report(report_of(folder)));
+      write_page(options, path, render_report(report_of(folder)));
   }
   fmt::print("{} in {}\n", options.folders.size() > 1 ? "comparison" : "report", path);
   return 0;

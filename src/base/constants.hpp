@@ -1,4 +1,4 @@
-// The mathematical constants that the models use.
+// The constants that the models use.
 #pragma once
 
 #include <numbers>
@@ -6,5 +6,6 @@
 namespace fiberfate {
 
 inline constexpr double pi = std::numbers::pi;
+inline constexpr double zero_celsius = 273.15;  ///< K
 
 }  // namespace fiberfate

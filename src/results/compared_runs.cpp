@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace fiberfate {
 namespace {
@@ -52,7 +53,39 @@ double value_at(const ReportSeries& curve, double x) {
   return curve.values[k - 1] + share * (curve.values[k] - curve.values[k - 1]);
 }
 
+/// The histograms of a document.
+std::vector<HistogramSection*> histograms_of(ComparedRun& run) {
+  std::vector<HistogramSection*> found;
+  for (ReportSection& section : run.document.sections)
+    if (auto* bars = std::get_if<HistogramSection>(&section)) found.push_back(bars);
+  return found;
+}
+
+/// Whether the longer edges begin with the shorter ones.
+bool begins_with(const std::vector<double>& longer, const std::vector<double>& shorter) {
+  const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+  return longer.size() > shorter.size() && std::equal(shorter.begin(), shorter.end(), longer.begin(), near);
+}
+
+/// Gives a histogram the edges of a longer one; there are no values in the bins that it gains.
+void lengthen(HistogramSection& bars, const std::vector<double>& edges) {
+  bars.edges = edges;
+  for (HistogramFrame& frame : bars.frames) frame.values.resize(edges.size() - 1, 0.0);
+  if (bars.reference) bars.reference->values.resize(edges.size() - 1, 0.0);
+}
+
 }  // namespace
+
+void share_bins(std::vector<ComparedRun>& runs) {
+  std::map<std::string, std::vector<double>> longest;
+  for (ComparedRun& run : runs)
+    for (const HistogramSection* bars : histograms_of(run))
+      if (std::vector<double>& edges = longest[bars->id]; edges.size() < bars->edges.size())
+        edges = bars->edges;
+  for (ComparedRun& run : runs)
+    for (HistogramSection* bars : histograms_of(run))
+      if (begins_with(longest[bars->id], bars->edges)) lengthen(*bars, longest[bars->id]);
+}
 
 std::vector<Replicas> group_replicas(const std::vector<ComparedRun>& runs) {
   std::vector<Replicas> groups;

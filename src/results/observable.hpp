@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +16,15 @@ namespace fiberfate {
 /// How the last value of an observable stands in summary.json, beside what every summary tells.
 enum class InSummary { no, as_number, as_count };
 
+/// Whether a curve is drawn that is zero throughout; where it is not, the caption says so.
+enum class IfZero { drawn, left_out };
+
+/// Whether all numbers are zero but for round-off of numbers of order 1.
+[[nodiscard]] inline bool is_zero(const std::vector<double>& numbers) {
+  constexpr double round_off = 1e-12;
+  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) < round_off; });
+}
+
 /// One number that is measured of a moment of a run. Its column is its name everywhere: in series.csv, in
 /// summary.json, in Python.
 template <class Moment>
@@ -26,6 +36,7 @@ struct Observable {
   std::function<double(const Moment&)> measure = {};
   InSummary in_summary = InSummary::no;
   CurveStyle style = CurveStyle::line;
+  IfZero if_zero = IfZero::drawn;
 };
 
 template <class Moment>
@@ -76,8 +87,13 @@ template <class Moment>
     for (const Observable<Moment>& one : observables) {
       if (one.group != chart.group) continue;
       section.y.unit = one.unit;
+      if (one.if_zero == IfZero::left_out && is_zero(series.column(one.column))) {
+        section.caption += (section.caption.empty() ? "0 throughout and not drawn: " : ", ") + one.label;
+        continue;
+      }
       section.series.push_back({one.label, series.column(one.column), one.style});
     }
+    if (!section.caption.empty()) section.caption += ".";
     if (!section.series.empty()) sections.push_back(std::move(section));
   }
   return sections;
@@ -98,7 +114,8 @@ template <class Moment>
     all.push_back({names.prefix + pair + names.suffix, names.unit,
                    names.group.empty() ? "" : names.label + '_' + pair, names.group,
                    [tensor, i = i, j = j](const Moment& moment) { return tensor(moment)(i, j); },
-                   InSummary::no, i == j ? CurveStyle::line : names.off_diagonal});
+                   InSummary::no, i == j ? CurveStyle::line : names.off_diagonal,
+                   i == j ? IfZero::drawn : IfZero::left_out});
   }
   return all;
 }

@@ -215,7 +215,7 @@ std::vector<std::pair<std::string, std::variant<double, std::string>>> split(con
   const Mat3& tensor = std::get<Mat3>(fact.value);
   std::vector<std::pair<std::string, std::variant<double, std::string>>> rows;
   for (int i = 0; i < 3; ++i)
-    rows.emplace_back(fmt::format("{}, {}{}", fact.label, i + 1, i + 1), tensor(i, i));
+    rows.emplace_back(fmt::format("{}, a_{}{}", fact.label, i + 1, i + 1), tensor(i, i));
   return rows;
 }
 
@@ -272,7 +272,9 @@ ComparisonSection side_by_side(const FactsSection& facts, const std::vector<Repl
 
 }  // namespace
 
-ReportDocument compare_reports(const std::vector<ComparedRun>& runs) {
+ReportDocument compare_reports(const std::vector<ComparedRun>& own_runs) {
+  std::vector<ComparedRun> runs = own_runs;
+  share_bins(runs);
   const std::vector<Replicas> groups = group_replicas(runs);
   std::vector<std::string> labels;
   for (const Replicas& group : groups) labels.push_back(group.label);

@@ -252,7 +252,7 @@ Json write_section(const FibersSection& section) {
   json["frames"] = Json::array();
   for (const FiberFrame& frame : section.frames)
     json["frames"].push_back(write_fiber_frame(frame, section.encoding));
-  if (!section.breaks.empty()) json["breaks"] = write_breaks(section.breaks);
+  if (section.breaks) json["breaks"] = write_breaks(*section.breaks);
   return json;
 }
 

@@ -206,7 +206,7 @@ struct FibersSection {
   std::string title;
   std::vector<FiberFrame> frames;
   std::string caption = {};
-  std::vector<FiberBreak> breaks = {};  ///< empty: the page sees them between frames
+  std::optional<std::vector<FiberBreak>> breaks = {};  ///< not given: the page sees them between frames
   NodeEncoding encoding = NodeEncoding::exact;
 };
 

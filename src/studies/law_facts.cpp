@@ -19,7 +19,8 @@ std::vector<Fact> law_facts(const LawMenu& menu, const std::string& label, const
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LawParameter& parameter = law->parameters[i];
     const ShownAs shown = shown_as(parameter);
-    facts.push_back({parameter.name, shown.factor * values[i], shown.unit, parameter.meaning});
+    // With the law's place in front: tau, n and xi are names of several laws.
+    facts.push_back({label + ": " + parameter.name, shown.factor * values[i], shown.unit, parameter.meaning});
   }
   return facts;
 }

@@ -54,8 +54,8 @@ def test_every_chart_has_a_line_a_run(results):
     assert told == f"comparison in {page}\n"
     found = document(page)
     assert found["study"] == "orientation" and found["case"] == "2 runs compared"
-    chart = section(found, "components_A_11")
-    assert chart["title"] == "Orientation tensor: A_11"
+    chart = section(found, "components_a_11")
+    assert chart["title"] == "Orientation tensor: a_11"
     assert [one["label"] for one in chart["series"]] == ["weak", "strong"]
     for one, name in zip(chart["series"], ("weak", "strong")):
         assert one["values"] == column(results / name, "a11")
@@ -71,7 +71,7 @@ def test_what_differs_and_results_stand_side_by_side(results):
     assert outcome["runs"] == ["weak", "strong"]
     steps = next(row for row in outcome["rows"] if row["label"] == "Steps")
     assert steps["values"] == [summary(results / name)["steps"] for name in ("weak", "strong")]
-    first = next(row for row in outcome["rows"] if row["label"] == "Orientation at the end, 11")
+    first = next(row for row in outcome["rows"] if row["label"] == "Orientation at the end, a_11")
     assert first["values"] == [summary(results / name)["A2"][0][0] for name in ("weak", "strong")]
 
 
@@ -82,6 +82,7 @@ def test_replicas_are_one_line_with_a_band(results):
     bars = section(found, "by_number")
     assert [one["label"] for one in bars["series"]] == ["first, second", "other"]
     assert bars["series"][0]["low"] == bars["series"][0]["high"] == bars["series"][0]["values"]
+    assert section(found, "by_number")["series"][0]["x"] == section(found, "by_number")["series"][1]["x"]
     lengths = next(row for row in section(found, "outcome")["rows"] if row["label"] == "L_N")
     assert lengths["values"] == pytest.approx([2e-3, 2e-3]) and lengths["low"][0] == lengths["high"][0]
     assert lengths["low"][1] is None
@@ -118,8 +119,10 @@ def test_files_of_the_user_stay(results, tmp_path):
     refused = run("report", results / "weak", results / "strong", "--out", tmp_path / "mine.html", expect=2).stderr
     assert "fiberfate did not make it" in refused and (tmp_path / "mine.html").read_text() == "mine"
     assert "is a folder" in run("report", results / "weak", results / "strong", "--out", tmp_path, expect=2).stderr
-    for _ in range(2):
-        run("report", results / "weak", results / "strong", "--out", tmp_path / "page.html")
+    pages = ("report", results / "weak", results / "strong", "--out", tmp_path / "page.html")
+    run(*pages)
+    assert "add --overwrite" in run(*pages, expect=2).stderr
+    run(*pages, "--overwrite")
 
 
 def test_a_folder_without_a_result_is_told(results, tmp_path):

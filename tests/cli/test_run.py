@@ -157,9 +157,10 @@ def test_a_changed_case_starts_from_saved_fibers(tmp_path):
     case = write_case(tmp_path)
     run("run", case, "--out", tmp_path / "slow", "--until", "2 ms")
     refused = run("resume", tmp_path / "slow", "--set", "flow.rate=400", expect=2)
-    assert "fiberfate run CASE.toml" in refused.stderr and "cluster.file=" in refused.stderr
-    run("run", case, "--out", tmp_path / "fast", "--steps", 1, "--set", "flow.rate=400", "--set", "cluster.source=file",
-        "--set", f"cluster.file={tmp_path / 'slow' / 'checkpoint.h5'}")
+    assert f"fiberfate run {tmp_path / 'slow' / 'case.resolved.toml'}" in refused.stderr
+    assert "cluster.file=checkpoint.h5" in refused.stderr
+    run("run", tmp_path / "slow" / "case.resolved.toml", "--out", tmp_path / "fast", "--steps", 1, "--set", "flow.rate=400",
+        "--set", "cluster.source=file", "--set", "cluster.file=checkpoint.h5")
     assert column(tmp_path / "fast", "L_N_m")[0] == pytest.approx(column(tmp_path / "slow", "L_N_m")[-1], rel=1e-12)
 
 

@@ -7,6 +7,7 @@ import { join, resolve } from "node:path";
 import { parseArgs } from "node:util";
 import { browser_options, launch_browser, open_page } from "./browser.mjs";
 import { Expect, plain_label } from "./checks/expect.mjs";
+import { check_crowd, make_crowd } from "./checks/crowd.mjs";
 import { check_fibers } from "./checks/fibers.mjs";
 import { check_heatmap, check_histogram } from "./checks/histogram.mjs";
 import { check_lines } from "./checks/lines.mjs";
@@ -92,6 +93,15 @@ async function check_without_webgl(browser, file, found, expect) {
   expect.equal(await page.locator("main section").count(), found.sections.length, "sections without WebGL");
 }
 
+/** Many rods are drawn in another way than few. */
+async function check_many_rods(browser, template, expect) {
+  const file = join(folder, "crowd.html");
+  writeFileSync(file, fill_template(readFileSync(template, "utf8"), make_crowd()));
+  const page = await open_report(browser, file, expect);
+  await check_crowd(page, expect);
+  await page.context().close();
+}
+
 const folder = mkdtempSync(join(tmpdir(), "fiberfate-report-"));
 const expect = new Expect();
 try {
@@ -113,6 +123,7 @@ try {
     await page.context().close();
     await check_looks(browser, file, expect);
     await check_without_webgl(browser, file, found, expect);
+    if (options.template) await check_many_rods(browser, options.template, expect);
   } finally {
     await browser.close();
   }

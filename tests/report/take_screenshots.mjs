@@ -24,6 +24,18 @@ async function look_through(page) {
   await settle(page);
 }
 
+const tallest = 8000; // pixels: beyond, browsers that draw in software repeat the page from its top
+
+/** Takes the whole page, in several pictures where it is too tall for one. */
+async function take_pieces(page, path) {
+  const [width, height, factor] = await page.evaluate(() => [document.documentElement.clientWidth, document.documentElement.scrollHeight, devicePixelRatio]);
+  const step = Math.floor(tallest / factor);
+  for (let top = 0, k = 1; top < height; top += step, ++k) {
+    const clip = { x: 0, y: top, width, height: Math.min(step, height - top) };
+    await page.screenshot({ path: `${path}${height > step ? `-${k}` : ""}.png`, fullPage: true, clip });
+  }
+}
+
 const { values: options, positionals: [out, ...reports] } = parseArgs({
   allowPositionals: true, options: { ...browser_options, only: { type: "string", default: Object.keys(looks).join(",") } },
 });
@@ -36,7 +48,7 @@ try {
       const page = await open_page(browser, resolve(report), looks[look]);
       await look_through(page);
       if (look === "print") await page.pdf({ path: join(out, `${name}-print.pdf`), preferCSSPageSize: true, printBackground: true });
-      else await page.screenshot({ path: join(out, `${name}-${look}.png`), fullPage: true });
+      else await take_pieces(page, join(out, `${name}-${look}`));
       await page.context().close();
     }
   }

@@ -3,7 +3,7 @@ import uPlot from "uplot";
 import { is_number, type Scale } from "../document";
 import { lay_names } from "../figure/names";
 import { chart_font, chart_height, chart_room } from "../figure/size";
-import { make_ticks, write_tick } from "../figure/ticks";
+import { make_ticks, write_ticks } from "../figure/ticks";
 import { figure_font } from "../font";
 import { write_label } from "../format";
 import { current_palette, type Palette } from "../palette";
@@ -65,7 +65,7 @@ function make_axis(palette: Palette, side: "x" | "y", scale: Scale): uPlot.Axis 
       const pixels = (side === "x" ? plot.bbox.width : plot.bbox.height) / uPlot.pxRatio;
       return make_ticks(min, max, scale, Math.max(2, Math.round(pixels / (side === "x" ? 95 : 62))));
     },
-    values: (_plot, splits) => splits.map(write_tick),
+    values: (_plot, splits) => write_ticks(splits),
     filter: (_plot, splits) => splits,
   };
 }

@@ -6,7 +6,7 @@ import { split_label, write_label } from "../format";
 import type { Palette } from "../palette";
 import { lay_names, type NameLayout, widest_name } from "./names";
 import type { FigureSize } from "./size";
-import { make_ticks, write_tick } from "./ticks";
+import { make_ticks, write_ticks } from "./ticks";
 
 export interface FrameAxis {
   title: string;
@@ -68,7 +68,9 @@ const y_apart = 5.2; // of ticks along y, over the size of the type
 function ticks_of(axis: FrameAxis, length: number, apart: number): { at: number; text: string }[] {
   if (axis.names) return axis.names.map((text, k) => ({ at: k + 1, text }));
   const count = Math.max(3, Math.round(length / apart));
-  return make_ticks(axis.min, axis.max, axis.scale, count).map((at) => ({ at, text: write_tick(at) }));
+  const ticks = make_ticks(axis.min, axis.max, axis.scale, count);
+  const texts = write_ticks(ticks);
+  return ticks.map((at, k) => ({ at, text: texts[k]! }));
 }
 
 /** Sets a number or a name below its tick. */

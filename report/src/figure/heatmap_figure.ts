@@ -6,7 +6,7 @@ import { choose_unit, largest_magnitude, type ShownUnit, write_axis_title, write
 import { type ColourMap, css_colour, type Palette, sample_map } from "../palette";
 import { type Frame, make_frame, make_svg_text } from "./frame";
 import { type FigureSize, picture_size } from "./size";
-import { bar_range, bar_ticks, write_tick } from "./ticks";
+import { bar_range, bar_ticks, write_ticks } from "./ticks";
 
 /** Gives the borders of cells whose middles are known: halfway between, and as far out at the ends. */
 function borders_of(middles: number[]): number[] {
@@ -67,10 +67,12 @@ function draw_bar(frame: Frame, section: HeatmapSection, range: Range, { palette
       fill: css_colour(sample_map(map_of(section), (k + 0.5) / steps)),
     }));
   }
-  for (const tick of bar_ticks(range.min * unit.factor, range.max * unit.factor)) {
+  const ticks = bar_ticks(range.min * unit.factor, range.max * unit.factor);
+  const texts = write_ticks(ticks);
+  for (const [k, tick] of ticks.entries()) {
     const at = frame.bottom - (height * (tick / unit.factor - range.min)) / (range.max - range.min);
     const place = { class: "tick-bar", x: left + 20, y: at + 0.35 * font, "font-size": font, fill: palette.muted };
-    frame.svg.append(make_svg("text", place, write_tick(tick)));
+    frame.svg.append(make_svg("text", place, texts[k]!));
   }
   const middle = (frame.top + frame.bottom) / 2;
   const title = write_axis_title(section.label ?? "", unit.unit);

@@ -1,6 +1,6 @@
 // Where an axis has its ticks.
 import type { Scale } from "../document";
-import { write_number } from "../format";
+import { write_number, write_power } from "../format";
 
 /** Gives round values (1, 2, 5 times a power of ten) inside a range, about `count` of them. */
 export function linear_ticks(min: number, max: number, count: number): number[] {
@@ -54,9 +54,14 @@ export function bar_ticks(min: number, max: number): number[] {
   return linear_ticks(min, max, 5);
 }
 
-/** Writes a tick in full: it is round, so that it has no more digits than it needs. */
-export function write_tick(tick: number): string {
-  return write_number(tick, 9);
+const [long_number, short_number] = [1e7, 1e-3];
+
+/** Writes ticks in full: they are round, so that they have no more digits than they need. Where one is a power of ten, all are. */
+export function write_ticks(ticks: number[]): string[] {
+  const sizes = ticks.map(Math.abs).filter((size) => size > 0);
+  const largest = Math.max(...sizes);
+  const powers = largest >= long_number || (largest < 1 && Math.min(...sizes) < short_number);
+  return ticks.map((tick) => (powers && tick ? write_power(tick, 9) : write_number(tick, 9)));
 }
 
 const round_off = 1e-9;

@@ -24,8 +24,10 @@ export function state_of({ frame, measures }: MeasuredFrame): CellState {
   let rod = 0;
   for (let fiber = 0; fiber < fibers; ++fiber) {
     for (let node = offsets[fiber]!; node < offsets[fiber + 1]! - 1; ++node, ++rod) {
-      state.starts.set(points.subarray(3 * node, 3 * node + 3), 3 * rod);
-      state.ends.set(points.subarray(3 * node + 3, 3 * node + 6), 3 * rod);
+      for (let k = 0; k < 3; ++k) {
+        state.starts[3 * rod + k] = points[3 * node + k]!;
+        state.ends[3 * rod + k] = points[3 * node + 3 + k]!;
+      }
       state.curvature[2 * rod] = measures.curvature[node]!;
       state.curvature[2 * rod + 1] = measures.curvature[node + 1]!;
       state.fiber[rod] = fiber;

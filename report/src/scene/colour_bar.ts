@@ -1,7 +1,7 @@
 // The colour bar beside the view.
 import { make, make_label, make_svg } from "../dom";
 import { choose_unit, write_axis_title, write_label } from "../format";
-import { bar_ticks, write_tick } from "../figure/ticks";
+import { bar_ticks, write_ticks } from "../figure/ticks";
 import { figure_font } from "../font";
 import type { Palette } from "../palette";
 import { type ColourScale, table_size } from "./colouring";
@@ -25,7 +25,8 @@ function list_ticks(scale: ColourScale): Tick[] {
   if (scale.categorical) return [];
   const { factor } = choose_unit(scale.unit, scale.max);
   const ticks = scale.unit === "deg" ? [0, 30, 60, 90] : bar_ticks(scale.min * factor, scale.max * factor);
-  return ticks.map((tick) => ({ share: (tick / factor - scale.min) / (scale.max - scale.min), text: write_tick(tick) }));
+  const texts = write_ticks(ticks);
+  return ticks.map((tick, k) => ({ share: (tick / factor - scale.min) / (scale.max - scale.min), text: texts[k]! }));
 }
 
 function draw_ticks(svg: SVGSVGElement, ticks: Tick[], palette: Palette): void {

@@ -49,7 +49,12 @@ function decode_points(frame: FiberFrame): Float32Array {
   if (frame.points !== undefined) return new Float32Array(decode_base64(frame.points));
   const { steps, corner, step } = frame.grid!;
   const whole = new Uint16Array(decode_base64(steps));
-  return Float32Array.from(whole, (value, k) => corner[k % 3]! + step[k % 3]! * value);
+  const points = new Float32Array(whole.length);
+  for (const axis of [0, 1, 2]) {
+    const [low, width] = [corner[axis]!, step[axis]!];
+    for (let k = axis; k < whole.length; k += 3) points[k] = low + width * whole[k]!;
+  }
+  return points;
 }
 
 /** Decodes a frame; throws where its parts do not belong together. */
@@ -75,8 +80,14 @@ export function decode_frame(frame: FiberFrame): CellFrame {
     rods: nodes - fibers,
   };
 }
+
+// Math.hypot and short arrays would take most of the time in which a large report opens.
+function size_of(x: number, y: number, z: number): number {
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
 function distance(points: Float32Array, a: number, b: number): number {
-  return Math.hypot(points[3 * b]! - points[3 * a]!, points[3 * b + 1]! - points[3 * a + 1]!, points[3 * b + 2]! - points[3 * a + 2]!);
+  return size_of(points[3 * b]! - points[3 * a]!, points[3 * b + 1]! - points[3 * a + 1]!, points[3 * b + 2]! - points[3 * a + 2]!);
 }
 
 /**
@@ -84,15 +95,16 @@ function distance(points: Float32Array, a: number, b: number): number {
  * Below what single precision can tell from a straight line it is zero.
  */
 function curvature_at(points: Float32Array, n: number): number {
-  const u = [0, 1, 2].map((k) => points[3 * n + k]! - points[3 * n - 3 + k]!) as [number, number, number];
-  const v = [0, 1, 2].map((k) => points[3 * n + 3 + k]! - points[3 * n + k]!) as [number, number, number];
-  const cross = Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-  const a = Math.hypot(...u);
-  const b = Math.hypot(...v);
-  const c = distance(points, n - 1, n + 1);
-  const product = a * b * c;
+  const k = 3 * n;
+  const [x, y, z] = [points[k]!, points[k + 1]!, points[k + 2]!];
+  const [ux, uy, uz] = [x - points[k - 3]!, y - points[k - 2]!, z - points[k - 1]!];
+  const [vx, vy, vz] = [points[k + 3]! - x, points[k + 4]! - y, points[k + 5]! - z];
+  const cross = size_of(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
+  const a = size_of(ux, uy, uz);
+  const b = size_of(vx, vy, vz);
+  const product = a * b * size_of(ux + vx, uy + vy, uz + vz);
   if (!(product > 0)) return 0;
-  const largest = Math.max(Math.abs(points[3 * n]!), Math.abs(points[3 * n + 1]!), Math.abs(points[3 * n + 2]!));
+  const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
   const round_off = 4 * 1.2e-7 * largest * (a + b);
   return cross <= round_off ? 0 : (2 * cross) / product;
 }

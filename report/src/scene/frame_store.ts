@@ -5,18 +5,21 @@ import { type CellFrame, decode_frame, type MeasuredFrame, measure_frame } from 
 import { make_motion, type Motion } from "./motion";
 
 const most_kept_bytes = 2e8; // of base64 of decoded frames; what is more is decoded again
-const sampled = 6; // frames from which ranges are taken where there are many
+const most_measured_bytes = 4e6; // of base64: so much is measured while the page opens, with all frames if they are small
+const fewest_samples = 6; // frames from which ranges are taken where there are many large ones
 
 export class FrameStore {
   readonly times: number[];
   private readonly kept = new Map<number, MeasuredFrame>();
   private motion: { index: number; motion: Motion } | undefined;
   private readonly room: number;
+  private readonly sampled: number;
 
   constructor(private readonly raw: FiberFrame[]) {
     this.times = raw.map(({ time_s }) => time_s);
     const largest = Math.max(...raw.map(({ points, grid }) => (points ?? grid?.steps ?? "").length), 1);
     this.room = Math.max(3, Math.floor(most_kept_bytes / largest));
+    this.sampled = Math.min(this.room, Math.max(fewest_samples, Math.floor(most_measured_bytes / largest)));
   }
 
   duration(): number {
@@ -37,8 +40,8 @@ export class FrameStore {
   /** Gives some frames that stand for all: the first, the last, and a few between. */
   samples(): MeasuredFrame[] {
     const last = this.raw.length - 1;
-    if (last < this.room) return this.raw.map((_frame, index) => this.frame(index));
-    return Array.from({ length: sampled }, (_unused, k) => this.frame(Math.round((k * last) / (sampled - 1))));
+    if (last < this.sampled) return this.raw.map((_frame, index) => this.frame(index));
+    return Array.from({ length: this.sampled }, (_unused, k) => this.frame(Math.round((k * last) / (this.sampled - 1))));
   }
 
   /** Gives all frames, one after the other. */

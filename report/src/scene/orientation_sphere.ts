@@ -28,20 +28,27 @@ function to_map(x: number, y: number, z: number): [number, number] {
   return [((p + q + 1) / 2) * bins - 0.5, ((p - q + 1) / 2) * bins - 0.5];
 }
 
+/** Gives the number of a bin; across the rim lie the opposite directions, which are the same. */
+function bin_at(i: number, j: number): number {
+  const outside = [i, j].filter((k) => k < 0 || k >= bins).length;
+  if (outside === 0) return i * bins + j;
+  const opposite = (k: number): number => (k < 0 ? bins - 1 : k >= bins ? 0 : bins - 1 - k);
+  return outside === 1 ? opposite(i) * bins + opposite(j) : Math.max(0, Math.min(bins - 1, i)) * bins + Math.max(0, Math.min(bins - 1, j));
+}
+
 /** Gives four bins around a place of the map with their shares. */
 function around([u, v]: [number, number]): [bin: number, share: number][] {
-  const hold = (k: number): number => Math.max(0, Math.min(bins - 1, k));
   const [i, j] = [Math.floor(u), Math.floor(v)];
   const [a, b] = [u - i, v - j];
   return [
-    [hold(i) * bins + hold(j), (1 - a) * (1 - b)], [hold(i + 1) * bins + hold(j), a * (1 - b)],
-    [hold(i) * bins + hold(j + 1), (1 - a) * b], [hold(i + 1) * bins + hold(j + 1), a * b],
+    [bin_at(i, j), (1 - a) * (1 - b)], [bin_at(i + 1, j), a * (1 - b)],
+    [bin_at(i, j + 1), (1 - a) * b], [bin_at(i + 1, j + 1), a * b],
   ];
 }
 
 /** Spreads every bin over its neighbours, 1 2 1 each way. */
 function blur(values: Float32Array): Float32Array {
-  const at = (from: Float32Array, i: number, j: number): number => from[Math.max(0, Math.min(bins - 1, i)) * bins + Math.max(0, Math.min(bins - 1, j))]!;
+  const at = (from: Float32Array, i: number, j: number): number => from[bin_at(i, j)]!;
   const across = values.map((value, k) => {
     const [i, j] = [Math.floor(k / bins), k % bins];
     return (at(values, i - 1, j) + 2 * value + at(values, i + 1, j)) / 4;

@@ -1,20 +1,22 @@
-// All rods as one instanced draw: a capsule that the vertex shader stretches between its two nodes.
+// All rods in one draw: capsules that the vertex shader stretches between two nodes, or strips where there are many.
 import {
-  BufferAttribute, DataTexture, DoubleSide, DynamicDrawUsage, GLSL3, InstancedBufferAttribute, InstancedBufferGeometry,
-  LinearFilter, Mesh, NearestFilter, RGBAFormat, ShaderMaterial, Color,
+  BufferAttribute, BufferGeometry, Color, DataTexture, DoubleSide, GLSL3, InstancedBufferGeometry, LinearFilter, Mesh, NearestFilter,
+  RGBAFormat, ShaderMaterial,
 } from "three";
 import { type ColourScale, table_size } from "./colouring";
 import type { CellFrame } from "./frame";
 import type { PlacedRods } from "./images";
 import type { Three } from "./lattice";
+import { read_rods, RodTable } from "./rod_table";
 
+/**
+ * With RIBBON a rod is a strip that faces the eye and is shaded round: two triangles. Strips are not instances, either:
+ * browsers without a graphics card take as long for an instance as for a thousand triangles.
+ */
 const vertex_shader = /* glsl */ `
+#ifndef RIBBON
 in vec4 shape;  // direction from the axis, and which end: 0 start, 1 finish
-in vec3 start;
-in vec3 finish;
-in float radius;
-in vec2 place;  // in the colour table, at both ends
-in vec2 ids;    // fiber, birth fiber
+#endif
 uniform float thickness;
 uniform float hovered;
 uniform float family;
@@ -23,18 +25,39 @@ out vec3 position_view;
 out vec3 position_scene;
 out float table_place;
 out float emphasis;
+${read_rods}
 void main() {
+#ifdef RIBBON
+  int rod = gl_VertexID / 4;
+  float end = float((gl_VertexID / 2) % 2);
+  float side = float(2 * (gl_VertexID % 2) - 1);
+#else
+  int rod = gl_InstanceID;
+  float end = shape.w;
+#endif
+  vec4 first = texel_of(rod, 0), second = texel_of(rod, 1), third = texel_of(rod, 2);
+  vec3 start = first.xyz, finish = second.xyz, middle = mix(start, finish, end);
+  float radius = first.w * thickness;
   vec3 along = normalize(finish - start);
+#ifdef RIBBON
+  vec3 to_eye = normalize((inverse(modelViewMatrix) * vec4(0, 0, 0, 1)).xyz - middle);
+  vec3 aside = cross(along, to_eye);
+  aside = dot(aside, aside) > 1e-8 ? normalize(aside) : normalize(cross(to_eye, vec3(0.3, 1, 0.2)));
+  vec3 normal = side * aside;
+  // A little longer than the rod: no gaps at hinges, and a rod that points at the eye is still seen.
+  vec3 at = middle + radius * (normal + 0.8 * (2.0 * end - 1.0) * cross(to_eye, aside));
+#else
   vec3 aside = normalize(abs(along.y) < 0.9 ? cross(along, vec3(0, 1, 0)) : cross(along, vec3(1, 0, 0)));
   vec3 normal = mat3(aside, cross(along, aside), along) * shape.xyz;
-  vec3 at = mix(start, finish, shape.w) + radius * thickness * normal;
+  vec3 at = middle + radius * normal;
+#endif
   vec4 in_view = modelViewMatrix * vec4(at, 1.0);
   position_scene = at;
   normal_view = normalMatrix * normal;
   position_view = in_view.xyz;
-  table_place = mix(place.x, place.y, shape.w);
-  bool chosen = family < -0.5 || abs(ids.y - family) < 0.5;
-  emphasis = abs(ids.x - hovered) < 0.5 ? 2.0 : (chosen ? 1.0 : 0.0);
+  table_place = mix(third.x, third.y, end);
+  bool chosen = family < -0.5 || abs(third.z - family) < 0.5;
+  emphasis = abs(second.w - hovered) < 0.5 ? 2.0 : (chosen ? 1.0 : 0.0);
   gl_Position = projectionMatrix * in_view;
   // The followed family lies in the front tenth of the depth range: faded fibers never hide it.
   if (family > -0.5 && chosen) gl_Position.z = mix(-gl_Position.w, gl_Position.z, 0.1);
@@ -54,9 +77,13 @@ uniform vec2 haze;  // distances where it begins and where it is full
 out vec4 colour;
 void main() {
   if (any(lessThan(position_scene, low)) || any(greaterThan(position_scene, high))) discard;
+  vec3 to_eye = normalize(-position_view);
+#ifdef RIBBON
+  vec3 n = normalize(normal_view + sqrt(max(0.0, 1.0 - dot(normal_view, normal_view))) * to_eye);
+#else
   // Where a rod is cut the eye looks at its inside, which is drawn as the flat face of the cut.
   vec3 n = gl_FrontFacing ? normalize(normal_view) : vec3(0.0, 0.0, 1.0);
-  vec3 to_eye = normalize(-position_view);
+#endif
   float facing = max(dot(n, to_eye), 0.0);
   float light = 0.56 + 0.5 * max(dot(n, normalize(vec3(-0.35, 0.65, 0.7))), 0.0);
   float gloss = pow(max(dot(n, normalize(to_eye + vec3(-0.35, 0.65, 0.7))), 0.0), 40.0);
@@ -68,12 +95,12 @@ void main() {
   colour = vec4(mix(lit, background, fade), 1.0);
 }`;
 
-/** Makes a unit capsule: `sides` around, and caps of `rings` rings that close the joints at hinges; none is an open tube. */
-function make_capsule(sides: number, rings: number): { shape: Float32Array; index: number[] } {
+/** Makes a unit capsule: `sides` around, and caps of `rings` rings that close the joints at hinges. */
+function make_capsule(sides: number, rings: number): InstancedBufferGeometry {
   const shape: number[] = [];
   const index: number[] = [];
   const latitudes: [number, number][] = [];
-  const step = Math.PI / 2 / Math.max(1, rings);
+  const step = Math.PI / 2 / rings;
   for (let ring = rings; ring >= 0; --ring) latitudes.push([-ring * step, 0]);
   for (let ring = 0; ring <= rings; ++ring) latitudes.push([ring * step, 1]);
   for (const [latitude, end] of latitudes) {
@@ -89,7 +116,30 @@ function make_capsule(sides: number, rings: number): { shape: Float32Array; inde
       index.push(a, b, c, b, d, c);
     }
   }
-  return { shape: Float32Array.from(shape), index };
+  const geometry = new InstancedBufferGeometry();
+  geometry.setAttribute("shape", new BufferAttribute(Float32Array.from(shape), 4));
+  geometry.setIndex(index);
+  return geometry;
+}
+
+/** Makes the corners of strips: only their numbers, from which the shader knows rod, end and side. */
+function make_ribbons(count: number): BufferAttribute {
+  const index = new Uint32Array(6 * count);
+  for (let rod = 0; rod < count; ++rod) index.set([0, 1, 2, 1, 3, 2].map((corner) => 4 * rod + corner), 6 * rod);
+  return new BufferAttribute(index, 1);
+}
+
+/** Gives a geometry the number of its rods. */
+function set_count(geometry: BufferGeometry, count: number): void {
+  if (geometry instanceof InstancedBufferGeometry) {
+    geometry.instanceCount = count;
+    return;
+  }
+  if ((geometry.getIndex()?.count ?? 0) < 6 * count) {
+    geometry.dispose();
+    geometry.setIndex(make_ribbons(Math.ceil(1.3 * count)));
+  }
+  geometry.setDrawRange(0, 6 * count);
 }
 
 export interface RodMesh {
@@ -108,64 +158,43 @@ export interface RodMesh {
 /** Farther than anything of a scene. */
 const nowhere: Three = [1e6, 1e6, 1e6];
 
-function make_material(): ShaderMaterial {
+function make_material(ribbons: boolean): ShaderMaterial {
   return new ShaderMaterial({
     glslVersion: GLSL3,
+    defines: ribbons ? { RIBBON: "" } : {},
     vertexShader: vertex_shader,
     fragmentShader: fragment_shader,
     side: DoubleSide,
     uniforms: {
       low: { value: nowhere.map((value) => -value) }, high: { value: [...nowhere] },
-      thickness: { value: 1 }, hovered: { value: -1 }, family: { value: -1 },
+      rods: { value: null }, thickness: { value: 1 }, hovered: { value: -1 }, family: { value: -1 },
       table: { value: null }, background: { value: [1, 1, 1] }, haze: { value: [1, 2] },
     },
   });
 }
 
-function scaled(values: Float32Array, factor: number): Float32Array {
-  return values.map((value) => value * factor);
-}
+const most_smooth = 4_000; // rods; capsules of more are plainer
+const most_capsules = 12_000; // rods; more are strips
 
-/** Makes the mesh for at most `capacity` rods; many rods get plainer capsules. */
-export function make_rod_mesh(capacity: number): RodMesh {
-  const capsule = capacity > 12_000 ? make_capsule(6, 0) : capacity > 4_000 ? make_capsule(8, 1) : make_capsule(14, 3);
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("shape", new BufferAttribute(capsule.shape, 4));
-  geometry.setIndex(capsule.index);
-  const material = make_material();
+/** Makes the mesh for at most `capacity` rods at first; without a graphics card, where there are many, of strips. */
+export function make_rod_mesh(capacity: number, software: boolean): RodMesh {
+  const ribbons = capacity > (software ? most_smooth : most_capsules);
+  const geometry = ribbons ? new BufferGeometry() : capacity > most_smooth ? make_capsule(8, 1) : make_capsule(14, 3);
+  const table = new RodTable(Math.ceil(1.3 * capacity));
+  const material = make_material(ribbons);
   const uniforms = material.uniforms as Record<string, { value: unknown }>;
   const mesh = new Mesh(geometry, material);
   // The box of the unit capsule says nothing about where its instances are.
   mesh.frustumCulled = false;
-  const put = (name: string, values: Float32Array, size: number): void => {
-    const kept = geometry.getAttribute(name) as InstancedBufferAttribute | undefined;
-    if (kept && kept.array.length >= values.length) {
-      kept.array.set(values);
-      kept.needsUpdate = true;
-      return;
-    }
-    // A window shows some rods twice, as many as stick out of it: their number changes with time.
-    const array = new Float32Array(Math.max(size * capacity, Math.ceil(1.3 * values.length)));
-    array.set(values);
-    geometry.setAttribute(name, new InstancedBufferAttribute(array, size).setUsage(DynamicDrawUsage));
-  };
   return {
     mesh,
     place: (placed, frame, factor) => {
-      const fibers = placed.fiber.subarray(0, placed.count);
-      put("start", scaled(placed.starts.subarray(0, 3 * placed.count), factor), 3);
-      put("finish", scaled(placed.ends.subarray(0, 3 * placed.count), factor), 3);
-      put("radius", Float32Array.from(fibers, (fiber) => frame.radius[fiber]! * factor), 1);
-      const ids = new Float32Array(2 * placed.count);
-      for (let k = 0; k < placed.count; ++k) {
-        ids[2 * k] = fibers[k]!;
-        ids[2 * k + 1] = frame.birth[fibers[k]!]!;
-      }
-      put("ids", ids, 2);
-      geometry.instanceCount = placed.count;
+      table.place(placed, frame, factor);
+      uniforms.rods!.value = table.texture;
+      set_count(geometry, placed.count);
     },
     colour: (places, scale) => {
-      put("place", places, 2);
+      table.colour(places);
       (uniforms.table!.value as DataTexture | null)?.dispose();
       const texture = new DataTexture(scale.table, table_size, 1, RGBAFormat);
       const filter = scale.categorical ? NearestFilter : LinearFilter;
@@ -189,6 +218,6 @@ export function make_rod_mesh(capacity: number): RodMesh {
       uniforms.background!.value = [hex.r, hex.g, hex.b];
       uniforms.haze!.value = haze;
     },
-    dispose: () => { geometry.dispose(); material.dispose(); },
+    dispose: () => { geometry.dispose(); material.dispose(); table.texture.dispose(); },
   };
 }

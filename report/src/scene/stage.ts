@@ -36,7 +36,13 @@ export interface StageRequest {
 }
 
 /** Tells whether the browser draws without a graphics card, as on a remote desktop. */
-function draws_in_software(): boolean {
+export function draws_in_software(): boolean {
+  return (in_software ??= find_software());
+}
+
+let in_software: boolean | undefined;
+
+function find_software(): boolean {
   const context = document.createElement("canvas").getContext("webgl2");
   const names = context?.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(context!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
@@ -145,8 +151,10 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
     host.dataset.triangles = String(renderer.info.render.triangles);
     request.finish?.(stage);
   };
+  let framed = false;
+  // Before the stage has its size there is nothing to see, and a large cell would be drawn twice.
   const redraw = (): void => {
-    due ??= requestAnimationFrame(() => draw());
+    if (framed) due ??= requestAnimationFrame(() => draw());
   };
   const stage: Stage = {
     canvas: renderer.domElement, scene, camera, factor, middle, redraw, draw, reset_camera: place_camera,
@@ -163,7 +171,6 @@ export function make_stage(host: HTMLElement, request: StageRequest): Stage {
   };
   controls.addEventListener("change", redraw);
   add_print_view(draw);
-  let framed = false;
   new ResizeObserver(() => {
     const { clientWidth: width, clientHeight: height } = host;
     if (width === 0 || height === 0) return;

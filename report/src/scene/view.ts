@@ -5,7 +5,7 @@ import { type CellOutline, corner_of, make_cell_outline } from "./cell_outline";
 import type { CellFrame } from "./frame";
 import { has_cell, type Three } from "./lattice";
 import { make_rod_mesh, type RodMesh } from "./rods";
-import { make_stage, type Stage } from "./stage";
+import { draws_in_software, make_stage, type Stage } from "./stage";
 
 export interface View extends Stage {
   rods: RodMesh;
@@ -36,7 +36,7 @@ export interface ViewRequest {
 
 /** Makes the view in its host; throws where the browser has no WebGL. */
 export function make_view(host: HTMLElement, first: CellFrame, { capacity, finish }: ViewRequest): View {
-  const rods = make_rod_mesh(capacity);
+  const rods = make_rod_mesh(capacity, draws_in_software());
   const outline = make_cell_outline();
   const stage = make_stage(host, {
     corners: corners_of(first),

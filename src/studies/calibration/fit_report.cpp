@@ -106,7 +106,7 @@ void append_band(LinesSection& section) {
 std::string quantity_of(const MeasuredSeries& one) {
   switch (one.observed) {
     case Observed::orientation:
-      return "component of A_2";
+      return "component of the orientation tensor";
     case Observed::rate_constant:
       return "rate constant";
     case Observed::histogram:

@@ -18,7 +18,7 @@ KeyGroup<CalibrationConditions> condition_keys() {
       key("viscosities", &Conditions::viscosities, {"Pa s"}, Range::positive(1e9),
           "Viscosities of the matrix, instead of [melt].", usual("[\"270.572 Pa s\", \"225.771 Pa s\"]")),
       key("temperatures", &Conditions::temperatures, {"K"}, Range::positive(2000),
-          "Temperatures, for [melt]; not given: 523.15 K."),
+          "Temperatures, for [melt]; not given: 250 degC."),
       key("pressures", &Conditions::pressures, {"Pa", "MPa"}, Range::between(0, 1e10),
           "Pressures, for [melt]; not given: none."),
       key("lengths", &Conditions::lengths, {"m", "mm"}, Range::positive(10),

@@ -25,6 +25,12 @@ std::string written_interval(double low, double high) {
   return std::isnan(low) || std::isnan(high) ? std::string() : fmt::format("{:.4g} to {:.4g}", low, high);
 }
 
+/// How an interval was found, in the head of its columns.
+std::string name_of_interval(const std::string& kind) {
+  if (kind == "_profile_") return "by profile, ";
+  return kind == "_bootstrap_" ? "by bootstrap, " : "linearised, ";
+}
+
 /// Numbers on top of the page: more of them than this would hide each other.
 constexpr std::size_t most_headlines = 4;
 
@@ -52,23 +58,22 @@ std::vector<std::string> free_names(const CalibrationCase& values) {
 TableSection estimates(const CalibrationCase& values, const SummaryFile& summary, const FitName& name) {
   const std::string level = fmt::format("{:g} % ", 100 * values.search.level);
   TableSection section{"estimates" + name.prefix, "Parameters" + name.heading, {}, {}};
-  section.columns = {{"parameter"}, {"unit"}, {"value"}, {"standard error"}, {level + "linearised"}};
-  const bool profiles = values.search.profiles == ProfileChoice::all;
-  if (profiles) section.columns.push_back({level + "by profile"});
-  if (values.search.bootstrap > 0) section.columns.push_back({level + "by bootstrap"});
+  section.columns = {{"parameter"}, {"unit"}, {"value"}, {"standard error"}};
+  std::vector<std::string> kinds = {"_"};
+  if (values.search.profiles == ProfileChoice::all) kinds.emplace_back("_profile_");
+  if (values.search.bootstrap > 0) kinds.emplace_back("_bootstrap_");
+  for (const std::string& kind : kinds)
+    for (const char* end : {"low", "high"}) section.columns.push_back({level + name_of_interval(kind) + end});
   for (const LawParameter& parameter : free_parameters(values)) {
     const std::string key = name.prefix + parameter.name;
     const auto [unit, factor] = shown_as(parameter);
-    const auto interval = [&, factor = factor](const std::string& kind) {
-      return written_interval(factor * summary.number(key + kind + "_lower"),
-                              factor * summary.number(key + kind + "_upper"));
-    };
     section.rows.push_back({parameter.name, unit, factor * summary.number(key),
-                            factor * summary.number(key + "_standard_error"), interval("")});
-    if (profiles) section.rows.back().emplace_back(interval("_profile"));
-    if (values.search.bootstrap > 0) section.rows.back().emplace_back(interval("_bootstrap"));
+                            factor * summary.number(key + "_standard_error")});
+    for (const std::string& kind : kinds)
+      for (const char* end : {"lower", "upper"})
+        section.rows.back().emplace_back(factor * summary.number(key + kind + end));
   }
-  section.caption = "An empty cell: the data do not determine this parameter.";
+  section.caption = "A dash: the data do not determine this parameter.";
   return section;
 }
 

@@ -50,8 +50,8 @@ FactsSection quality(const CalibrationCase& values, const SummaryFile& summary, 
                                     {"Observations", summary.count(key("observations")), "",
                                      freedom_in_words(summary.count(key("degrees_of_freedom"))), prominence},
                                     {"Sum of weighted squares", summary.number(key("chi_square"))},
-                                    {"Scatter over the stated uncertainties",
-                                     summary.number(key("noise_scale")), "", "over the given uncertainties"},
+                                    {"Scatter of the data", summary.number(key("noise_scale")), "",
+                                     "over the given uncertainties"},
                                     {"Converged", summary.text(key("converged"))}});
   return section;
 }
@@ -72,7 +72,8 @@ std::vector<LinesSection> curves_sections(const std::vector<MeasuredSeries>& mea
   for (std::size_t s = 0; s < measured.size(); ++s) {
     const MeasuredSeries& one = measured[s];
     if (one.values.size() < 2 || one.observed == Observed::histogram) continue;
-    const std::string quantity = one.observed == Observed::orientation ? "component of A_2" : "length";
+    const std::string quantity =
+        one.observed == Observed::orientation ? "component of the orientation tensor" : "length";
     auto picture =
         std::ranges::find_if(pictures, [&](const LinesSection& p) { return p.y.label == quantity; });
     if (picture == pictures.end()) {

@@ -190,10 +190,11 @@ class OneFit {
     // fit.
     for (const ParameterEstimate& estimate : result_.parameters)
       if (estimate.name == "sigma_u" && estimate.outcome == ParameterOutcome::fixed)
-        texts.push_back(fmt::format(
-            "sigma_u = {:.4g} Pa enters only over the shear stress: a value in another unit fits as well and "
-            "changes lambda and k_0 by powers of the factor; compare them only at equal sigma_u",
-            estimate.value));
+        texts.push_back(
+            fmt::format("sigma_u = {:.4g} GPa enters only as its ratio to the shear stress: another value "
+                        "fits as well and "
+                        "changes lambda and k_0 by powers of the factor; compare them only at equal sigma_u",
+                        1e-9 * estimate.value));
     for (std::size_t i = 0; i < texts.size(); ++i) {
       add(summary, fmt::format("finding_{}", i + 1), texts[i]);
       if (i < warnings) log.warn(prefix_.empty() ? texts[i] : fmt::format("{}: {}", prefix_, texts[i]));

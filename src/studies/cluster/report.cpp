@@ -122,7 +122,7 @@ TableSection fourth_moments(const SummaryFile& summary) {
     table.rows.push_back({fmt::format("a_{0}{0}{1}{1}", i + 1, j + 1),
                           fmt::format("{:.5f}", drawn.at(6 * i + j)),
                           fmt::format("{:.5f}", reached.at(6 * i + j))});
-  table.caption = "Length-weighted; what a closure approximates from A_2.";
+  table.caption = "By length; what a closure approximates from the orientation tensor.";
   return table;
 }
 

@@ -46,7 +46,7 @@ TableSection orientation_table(const SummaryFile& summary) {
   const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
              upper = summary.tensor("A2_upper");
   for (const auto& [i, j] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}) {
-    section.rows.push_back({fmt::format("A_{}{}", i + 1, j + 1), estimate(i, j), lower(i, j), upper(i, j)});
+    section.rows.push_back({fmt::format("a_{}{}", i + 1, j + 1), estimate(i, j), lower(i, j), upper(i, j)});
   }
   section.role = SectionRole::detail;
   return section;
@@ -57,9 +57,9 @@ LinesSection components(const MeasurementCase& values, const SummaryFile& summar
   LinesSection section{"components", "Orientation tensor", {"component"}, {"value"}, {}, {}};
   const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
              upper = summary.tensor("A2_upper");
-  ReportSeries points{"A_2", {}, CurveStyle::points};
+  ReportSeries points{"orientation tensor", {}, CurveStyle::points};
   for (const auto& [i, j] : {std::pair(0, 0), {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}) {
-    section.x.names.push_back(fmt::format("A_{}{}", i + 1, j + 1));
+    section.x.names.push_back(fmt::format("a_{}{}", i + 1, j + 1));
     points.x.push_back(static_cast<double>(section.x.names.size()));
     points.values.push_back(estimate(i, j));
     points.low.push_back(lower(i, j));
@@ -75,9 +75,9 @@ LinesSection components(const MeasurementCase& values, const SummaryFile& summar
 std::vector<Fact> direction_facts(const SummaryFile& summary) {
   const Mat3 estimate = summary.tensor("A2"), lower = summary.tensor("A2_lower"),
              upper = summary.tensor("A2_upper");
-  return {{"A_11", estimate(0, 0), "", fmt::format("{:.3f} to {:.3f}", lower(0, 0), upper(0, 0)),
+  return {{"a_11", estimate(0, 0), "", fmt::format("{:.3f} to {:.3f}", lower(0, 0), upper(0, 0)),
            Prominence::headline},
-          {"Orientation A_2", estimate},
+          {"Orientation tensor", estimate},
           {"Directions measured", summary.count("measured_directions")}};
 }
 

@@ -141,7 +141,7 @@ Outcome compute_measurement(const MeasurementCase& values, Session& session) {
     evaluate_directions(values, outcome, session);
     const Vec3 diagonal = summary.orientation->diagonal();
     outcome.headlines.push_back(
-        fmt::format("A11 {:.4f}, A22 {:.4f}, A33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
+        fmt::format("a_11 {:.4f}, a_22 {:.4f}, a_33 {:.4f}", diagonal[0], diagonal[1], diagonal[2]));
   }
   return outcome;
 }

@@ -193,7 +193,7 @@ const std::vector<Chart>& profile_charts() {
   static const std::vector<Chart> charts = {
       {"temperature_profile", "Temperature across the gap", "temperature"},
       {"rate_profile", "Shear rate across the gap", "shear rate"},
-      {"orientation_profile", "Orientation A11 across the gap", "A11"},
+      {"orientation_profile", "Orientation across the gap", "a_11"},
       {"length_profile", "Length L_N across the gap", "L_N"}};
   return charts;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/constants.hpp"
 #include "io/vtkhdf_file.hpp"
 #include "molding/weld_lines.hpp"
 #include "results/fiber_frame.hpp"
@@ -14,7 +15,6 @@
 namespace fiberfate {
 namespace {
 
-constexpr double zero_celsius = 273.15;               // K
 constexpr std::size_t most_values = 1'500'000;        // of one field over all times that a page can carry
 constexpr std::size_t most_layer_values = 2'000'000;  // of all fields and layers together: some 11 MB of HTML
 
@@ -33,9 +33,9 @@ constexpr ShownField shown_fields[] = {
     {"L_N", "length L_N", "m"},
     {"L_W", "length L_W", "m"},
     {"L_N_compared", "length L_N, compared law", "m", 0, 0, ShownField::Times::last},
-    {"A2", "orientation A11", "1", 0},
-    {"A2", "orientation A22", "1", 1},
-    {"A2", "orientation A33", "1", 2}};
+    {"A2", "orientation a_11", "1", 0},
+    {"A2", "orientation a_22", "1", 1},
+    {"A2", "orientation a_33", "1", 2}};
 
 /// An array of layers.vtkhdf as the page shows it.
 struct LayerField {
@@ -44,8 +44,8 @@ struct LayerField {
 };
 constexpr LayerField layer_fields[] = {{"temperature", "temperature", "degC", -zero_celsius},
                                        {"rate", "shear rate", "1/s"},
-                                       {"A11", "orientation A_11", "1"},
-                                       {"A22", "orientation A_22", "1"},
+                                       {"A11", "orientation a_11", "1"},
+                                       {"A22", "orientation a_22", "1"},
                                        {"L_N", "length L_N", "m"},
                                        {"L_W", "length L_W", "m"}};
 

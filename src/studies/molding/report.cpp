@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/constants.hpp"
 #include "io/csv_table.hpp"
 #include "results/result_folder.hpp"
 #include "results/summary.hpp"
@@ -26,8 +27,8 @@ FactsSection asked(const MoldingCase& values) {
       {"Part", std::string(part_names[static_cast<std::size_t>(values.part.kind)])},
       values.part.thickness ? Fact{"Thickness", *values.part.thickness, "m"}
                             : Fact{"Thickness", std::string("by element")},
-      {"Melt", values.machine.melt_temperature, "K"},
-      {"Mold", values.machine.mold_temperature, "K"},
+      {"Melt", values.machine.melt_temperature - zero_celsius, "degC"},
+      {"Mold", values.machine.mold_temperature - zero_celsius, "degC"},
       {"Fiber volume fraction", values.fibers.volume_fraction},
       {"Coupling",
        std::string(values.fibers.coupling == CouplingChoice::none ? "none" : "informed isotropic")}};
@@ -49,9 +50,9 @@ FactsSection came_out(const SummaryFile& summary) {
       {"Volume of the part", 1e6 * summary.number("volume_m3"), "cm^3"},
       {"L_N of the part", summary.number("L_N_m"), "m"},
       {"L_W of the part", summary.number("L_W_m"), "m"},
-      {"A_2 of the part", summary.tensor("A2"), "", "in the axes of the part"},
+      {"Orientation tensor of the part", summary.tensor("A2"), "", "in the axes of the part"},
       {"Error of the volume balance", summary.number("volume_error"), "", "over the volume of the part"},
-      {"Heat lost or made", summary.number("heat_error"), "", "over the heat that came in"}};
+      {"Error of the heat balance", summary.number("heat_error"), "", "over the heat that came in"}};
   return section;
 }
 

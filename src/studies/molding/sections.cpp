@@ -5,10 +5,19 @@
 #include <cmath>
 #include <utility>
 
+#include "base/constants.hpp"
 #include "studies/molding/observables.hpp"
 
 namespace fiberfate {
 namespace {
+
+/// Reports tell temperatures in °C.
+std::string unit_on_page(const std::string& unit) {
+  return unit == "K" ? "degC" : unit;
+}
+double zero_on_page(const std::string& unit) {
+  return unit == "K" ? zero_celsius : 0;
+}
 
 /// Picks the values of a column in the rows where other columns have these values.
 std::vector<double> picked(const CsvTable& table, const std::vector<std::pair<const char*, double>>& where,
@@ -25,14 +34,15 @@ std::vector<double> picked(const CsvTable& table, const std::vector<std::pair<co
 TableSection places_section(const MoldingCase& values, const CsvTable& places) {
   TableSection section{"places", "Named places", {{"place"}, {"set"}}, {}};
   for (const Observable<PlaceSample>& one : place_observables())
-    if (!one.label.empty()) section.columns.push_back({one.label, one.unit});
+    if (!one.label.empty()) section.columns.push_back({one.label, unit_on_page(one.unit)});
   for (std::size_t i = 0; i < places.rows(); ++i) {
     if (std::isfinite(places.column("value")[i])) continue;  // the sweep has a figure of its own
     const bool compared = places.column("set")[i] > 0;
     section.rows.push_back({values.output.places[static_cast<std::size_t>(places.column("place")[i])].name,
                             compared ? values.compared.name : values.law.name});
     for (const Observable<PlaceSample>& one : place_observables())
-      if (!one.label.empty()) section.rows.back().emplace_back(places.column(one.column)[i]);
+      if (!one.label.empty())
+        section.rows.back().emplace_back(places.column(one.column)[i] - zero_on_page(one.unit));
   }
   section.caption =
       values.fibers.number_average
@@ -52,11 +62,13 @@ std::vector<LinesSection> profile_sections(const MoldingCase& values, const CsvT
                                [](double value) { return std::isfinite(value); }))
         continue;
       LinesSection section{
-          chart.group, chart.title, {"height over the mid-plane", "m"}, {chart.label, one.unit}, {}, {}};
+          chart.group, chart.title, {"height over the mid-plane", "m"}, {chart.label, unit_on_page(one.unit)},
+          {},          {}};
       for (std::size_t p = 0; p < values.output.places.size(); ++p) {
         const auto place = static_cast<double>(p);
-        section.series.push_back({values.output.places[p].name,
-                                  picked(profiles, {{"place", place}}, one.column), CurveStyle::line,
+        std::vector<double> shown = picked(profiles, {{"place", place}}, one.column);
+        for (double& value : shown) value -= zero_on_page(one.unit);
+        section.series.push_back({values.output.places[p].name, std::move(shown), CurveStyle::line,
                                   picked(profiles, {{"place", place}}, "z_m")});
       }
       section.caption =

@@ -21,7 +21,7 @@ Observables<Moment> without_closure() {
   Observables<Moment> all =
       tensor_observables<Moment>({"distribution_a"}, [](const Moment& m) { return m.exact; });
   for (std::size_t i = 0; i < 3; ++i) {
-    all[i].label = "A_" + std::to_string(11 * (i + 1)) + " without closure";
+    all[i].label = "a_" + std::to_string(11 * (i + 1)) + " without closure";
     all[i].group = "components";
     all[i].style = CurveStyle::dashed;
   }
@@ -35,7 +35,7 @@ Observables<Moment> stress() {
          InSummary::as_number},
         {"effective_viscosity_Pa_s", "Pa s", "informed isotropic", group,
          [](const Moment& m) { return m.stress.effective_viscosity; }, InSummary::as_number}},
-       tensor_observables<Moment>({"stress_", "_Pa", "Pa", "tau", "stress"},
+       tensor_observables<Moment>({"stress_", "_Pa", "Pa", "sigma", "stress"},
                                   [](const Moment& m) { return m.stress.extra; })});
 }
 
@@ -48,7 +48,7 @@ Observables<OrientationMoment> orientation_observables(const OrientationCase& va
       {"rate_per_s", "1/s", "", "", [](const Moment& m) { return m.rate; }}};
   std::vector<Observables<Moment>> tables = {
       flow,
-      tensor_observables<Moment>({"a", "", "", "A", "components"}, [](const Moment& m) { return m.second; }),
+      tensor_observables<Moment>({"a", "", "", "a", "components"}, [](const Moment& m) { return m.second; }),
       shape()};
   if (values.solution.distribution == DistributionChoice::yes) tables.push_back(without_closure());
   if (!values.melt.name.empty()) tables.push_back(stress());
@@ -59,7 +59,7 @@ const std::vector<Chart>& orientation_charts() {
   static const std::vector<Chart> charts = {
       {"components", "Orientation tensor", "component"},
       {"principal_values", "Principal values", "principal value"},
-      {"stretching", "Share of the flow that stretches the fibers, D:A4:D/D:D", "D:A4:D/D:D"},
+      {"stretching", "Share of the flow that stretches the fibers", "D:A4:D / D:D"},
       {"stress", "Extra stress", "stress"},
       {"viscosity", "Viscosity", "viscosity"}};
   return charts;

@@ -158,7 +158,7 @@ Outcome compute_orientation(const OrientationCase& values, Session& session) {
   if (values.solution.steady == SteadyChoice::yes) summarise_steady(values, session, summary);
   outcome.tables.push_back({"series", std::move(series)});
   const Vec3 diagonal = last.second.diagonal();
-  outcome.headlines.push_back(fmt::format("A11 {:.6f}, A22 {:.6f}, A33 {:.6f} after {:.4g} s", diagonal[0],
+  outcome.headlines.push_back(fmt::format("a_11 {:.6f}, a_22 {:.6f}, a_33 {:.6f} after {:.4g} s", diagonal[0],
                                           diagonal[1], diagonal[2], values.run.duration));
   return outcome;
 }

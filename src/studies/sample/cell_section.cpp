@@ -11,8 +11,6 @@
 namespace fiberfate {
 namespace {
 
-constexpr double most_exact_bytes = 8e6;  // of nodes as float32 in all frames together
-constexpr double most_bytes = 20e6;       // of what is encoded: 27 MB of HTML
 constexpr std::size_t enough_frames =
     40;  // for a motion that is followed easily; before it is fibers that go
 
@@ -31,17 +29,17 @@ std::vector<std::size_t> spread(std::size_t all, std::size_t some) {
 }
 
 /// Chooses by the last frame, which has the most fibers.
-Choice choose(const VtkhdfReader& frames) {
+Choice choose(const VtkhdfReader& frames, const PageRoom& room) {
   const std::size_t all = frames.times().size();
   const PolyFrame last = frames.read(all - 1);
   const double nodes = static_cast<double>(last.points.size()) / 3;
   const double fibers = static_cast<double>(last.offsets.size()) - 1;
-  if (static_cast<double>(all) * 12 * nodes <= most_exact_bytes) return {spread(all, all)};
-  const double frame_bytes = 6 * nodes + 16 * fibers;
-  const auto affordable = static_cast<std::size_t>(most_bytes / frame_bytes);
-  const std::size_t shown = std::min(all, std::max(affordable, enough_frames));
-  const double stride = std::ceil(static_cast<double>(shown) * frame_bytes / most_bytes);
-  return {spread(all, shown), static_cast<std::int32_t>(std::max(1.0, stride)), NodeEncoding::grid};
+  if (static_cast<double>(all) * 12 * nodes <= room.exact_bytes) return {spread(all, all)};
+  const double affordable = room.encoded_bytes / (6 * nodes + 16 * fibers);
+  const auto wanted = static_cast<double>(std::min(all, enough_frames));
+  const double stride = std::max(1.0, std::ceil(wanted / affordable));
+  const std::size_t shown = std::min(all, static_cast<std::size_t>(affordable * stride));
+  return {spread(all, shown), static_cast<std::int32_t>(stride), NodeEncoding::grid};
 }
 
 std::vector<std::int32_t> whole_numbers(const PolyFrame& frame, const char* name) {
@@ -86,15 +84,22 @@ std::optional<double> strain_at(const CellHistory& history, double time) {
   return history.strains[k - 1] + share * (history.strains[k] - history.strains[k - 1]);
 }
 
+/// Says what of the fibers is shown.
+std::string describe_stride(std::int32_t stride) {
+  if (stride == 1) return "all fibers";
+  return stride == 2 ? "every second fiber" : fmt::format("one fiber of {}", stride);
+}
+
+/// Says what of a large result is shown.
 std::string describe(const Choice& choice, std::size_t all) {
-  std::string text;
-  if (choice.frames.size() < all)
-    text += fmt::format(" {} of {} frames are shown.", choice.frames.size(), all);
-  if (choice.stride > 1) text += fmt::format(" One original fiber of {} is shown.", choice.stride);
-  if (choice.encoding == NodeEncoding::grid)
-    text +=
-        " Places are rounded to 1/65535 of the box around the fibers; result.vtkhdf has all of them in full.";
-  return text;
+  if (choice.encoding == NodeEncoding::exact) return {};
+  const std::string frames = choice.frames.size() < all
+                                 ? fmt::format("{} of {} frames", choice.frames.size(), all)
+                                 : fmt::format("all {} frames", all);
+  return fmt::format(
+      " Of this large result the picture shows {} and {}, places rounded to 1/65535 of the box around the "
+      "fibers; result.vtkhdf beside this page has everything in full.",
+      frames, describe_stride(choice.stride));
 }
 
 }  // namespace
@@ -110,11 +115,11 @@ CellHistory read_cell_history(const CsvTable& series, const CsvTable& breaks) {
 }
 
 FibersSection fibers_section(const VtkhdfReader& frames, const std::string& caption,
-                             const CellHistory& history) {
+                             const CellHistory& history, const PageRoom& room) {
   FibersSection section{"cell", "The cell", {}, caption};
   const std::size_t all = frames.times().size();
   if (all == 0) return section;
-  const Choice choice = choose(frames);
+  const Choice choice = choose(frames, room);
   section.encoding = choice.encoding;
   section.caption += describe(choice, all);
   for (const std::size_t number : choice.frames) {
@@ -122,7 +127,7 @@ FibersSection fibers_section(const VtkhdfReader& frames, const std::string& capt
     section.frames.back().strain = strain_at(history, section.frames.back().time_s);
   }
   const double end = section.frames.back().time_s;
-  std::copy_if(history.breaks.begin(), history.breaks.end(), std::back_inserter(section.breaks),
+  std::copy_if(history.breaks.begin(), history.breaks.end(), std::back_inserter(section.breaks.emplace()),
                [&](const FiberBreak& one) { return one.birth % choice.stride == 0 && one.time_s <= end; });
   return section;
 }

@@ -102,7 +102,7 @@ std::vector<Fact> sample_facts(const SampleCase& sample) {
     facts.push_back(
         {"Orientation asked for", fmt::format("{} measured directions", sample.cluster.directions.size())});
   else if (sample.cluster.source == ClusterSource::generate)
-    facts.push_back({"Orientation asked for", sample.cluster.orientation, "", "A_2 by length"});
+    facts.push_back({"Orientation asked for", sample.cluster.orientation, "", "by length"});
   return facts;
 }
 
@@ -114,8 +114,7 @@ std::vector<Fact> outcome_facts(const SummaryFile& summary) {
           {"Volume fraction", 100 * summary.number("volume_fraction"), "%"},
           {"Smallest radius of curvature", summary.number("min_radius_m"), "m"},
           {"Contacts per fiber", summary.number("contacts_per_fiber")},
-          {"Largest overlap", summary.number("max_overlap_radii"), "radii"},
-          {"Orientation A_2", summary.tensor("A2"), "", "by length"}};
+          {"Orientation tensor", summary.tensor("A2"), "", "by length"}};
 }
 
 FactsSection effort_section(const SummaryFile& summary) {
@@ -167,6 +166,14 @@ HistogramSection length_section(const VtkhdfReader& frames, const std::vector<do
   return section;
 }
 
+/// The next of 1, 2, 5, 10, 20, …: runs that are compared share their bins.
+double round_width(double width) {
+  const double decade = std::pow(10.0, std::floor(std::log10(width)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * decade >= width) return step * decade;
+  return 10 * decade;
+}
+
 HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector<double>& times) {
   const std::vector<FiberState> states = states_at(frames, times);
   double largest = 0;
@@ -178,7 +185,7 @@ HistogramSection curvature_section(const VtkhdfReader& frames, const std::vector
                            "Curvature at hinges",
                            {"curvature 1/R", "1/m"},
                            {"hinges"},
-                           bin_edges(largest, largest / curvature_bins),
+                           bin_edges(largest, round_width(largest / curvature_bins)),
                            {}};
   for (const FiberState& state : states)
     section.frames.push_back({label_of(state), counts(curvatures_of(state), section.edges)});

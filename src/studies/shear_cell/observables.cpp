@@ -115,7 +115,7 @@ const Observables<CellMoment>& cell_observables() {
 const std::vector<Chart>& cell_charts() {
   static const std::vector<Chart> charts = {
       {"mean_lengths", "Mean fiber lengths", "length"},
-      {"orientation", "Orientation", "component of A_2"},
+      {"orientation", "Orientation tensor, by length", "component"},
       {"breaks", "Breaks", "breaks so far"},
       {"near_critical", "Hinges near breaking", "hinges"},
       {"contacts", "Contacts", "contacts per fiber"},

@@ -91,6 +91,7 @@ FactsSection came_out(const SummaryFile& summary) {
   section.rows.insert(section.rows.begin(), {{"Simulated time", summary.number("simulated_s"), "s"},
                                              {"Shear strain", summary.number("strain")},
                                              {"Breaks", summary.count("breaks")}});
+  section.rows.push_back({"Largest overlap at the end", summary.number("max_overlap_radii"), "radii"});
   return section;
 }
 
