@@ -1,0 +1,184 @@
+// The report of the study rheometer from the files of its result folder.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "studies/rheometer/curves.hpp"
+#include "studies/rheometer/readings.hpp"
+#include "studies/rheometer/run.hpp"
+#include "studies/sample/fiber_sections.hpp"
+
+namespace fiberfate {
+namespace {
+
+using Place = std::optional<std::size_t> RheometerPoint::*;
+
+/// The list along which curves are drawn, its column in curves.csv, and its axis.
+struct CurveAxis {
+  Place place;
+  const char* column;
+  ReportAxis axis;
+};
+
+CurveAxis curve_axis(const RheometerCase& values, const CsvTable& curves) {
+  const RheometerSweep& sweep = values.sweep;
+  const std::vector<double>& rates = curves.column("rate_per_s");
+  const bool positive = std::all_of(rates.begin(), rates.end(), [](double rate) { return rate > 0; });
+  if (!sweep.rates.empty())
+    return {&RheometerPoint::rate,
+            "rate_per_s",
+            {"rate", "1/s", positive ? AxisScale::logarithmic : AxisScale::linear}};
+  if (!sweep.volume_fractions.empty())
+    return {&RheometerPoint::volume_fraction, "volume_fraction", {"volume fraction"}};
+  if (!sweep.lengths.empty()) return {&RheometerPoint::length, "length_m", {"length", "m"}};
+  return {&RheometerPoint::flow, "flow", {"flow", "", AxisScale::linear, sweep.flows}};
+}
+
+/// Names the curve to which a point belongs, by what is swept beside the axis.
+std::string curve_name(const RheometerCase& values, const RheometerPoint& point, Place axis) {
+  const RheometerSweep& sweep = values.sweep;
+  std::vector<std::string> parts;
+  if (point.flow && axis != &RheometerPoint::flow) parts.push_back(sweep.flows[*point.flow]);
+  if (point.volume_fraction && axis != &RheometerPoint::volume_fraction)
+    parts.push_back(fmt::format("{:.3g} % by volume", 100 * sweep.volume_fractions[*point.volume_fraction]));
+  if (point.length && axis != &RheometerPoint::length)
+    parts.push_back(fmt::format("{:.3g} mm", 1e3 * sweep.lengths[*point.length]));
+  return parts.empty() ? "" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// A quantity of curves.csv that is drawn.
+struct Drawn {
+  const char *column, *error, *label;
+};
+
+void append_point(ReportSeries& series, double x, double value, double error) {
+  series.x.push_back(x);
+  series.values.push_back(value);
+  const double bar = std::isfinite(error) ? error : 0;
+  series.low.push_back(value - bar);
+  series.high.push_back(value + bar);
+}
+
+/// Draws quantities with bars of one standard error over an axis.
+LinesSection section_of(const RheometerCase& values, const CsvTable& curves, LinesSection section,
+                        const std::vector<Drawn>& quantities) {
+  const CurveAxis axis = curve_axis(values, curves);
+  const std::vector<RheometerPoint> all = points(values.sweep);
+  section.x = axis.axis;
+  section.caption = "Means of the replicas; bars are one standard error to either side.";
+  for (const Drawn& one : quantities) {
+    std::map<std::string, ReportSeries> named;
+    std::vector<std::string> order;
+    for (std::size_t row = 0; row < curves.rows(); ++row) {
+      const RheometerPoint& point = all.at(static_cast<std::size_t>(curves.column("point")[row]));
+      const double value = curves.column(one.column)[row];
+      if (!std::isfinite(value)) continue;
+      const std::string name = curve_name(values, point, axis.place);
+      if (!named.contains(name)) {
+        order.push_back(name);
+        const std::string separator = name.empty() ? "" : ", ";
+        named[name] = {one.label + separator + name, {}, CurveStyle::points};
+      }
+      const bool by_flow = axis.place == &RheometerPoint::flow;
+      const double x =
+          by_flow ? static_cast<double>(point.flow.value_or(0) + 1) : curves.column(axis.column)[row];
+      append_point(named[name], x, value, curves.column(one.error)[row]);
+    }
+    for (const std::string& name : order) section.series.push_back(std::move(named[name]));
+  }
+  return section;
+}
+
+/// Sets the relative viscosities against those of the fitted law.
+LinesSection parity(const CsvTable& curves) {
+  LinesSection section{
+      "parity", "Relative viscosity and the informed-isotropic law", {"fitted"}, {"measured"}, {}, {}};
+  section.caption =
+      "eta_S/eta (1 + R_T x) with x = (D:A4:D)/(D:D), fitted to all runs with the same fibers; on the dashed "
+      "line "
+      "both agree.";
+  ReportSeries points{"points", {}, CurveStyle::points}, line{"equal", {}, CurveStyle::dashed};
+  const std::vector<double>&fitted = curves.column("fitted_relative_viscosity"),
+        &measured = curves.column("relative_viscosity"), &errors = curves.column("relative_viscosity_error");
+  for (std::size_t row = 0; row < curves.rows(); ++row)
+    if (std::isfinite(fitted[row]) && std::isfinite(measured[row]))
+      append_point(points, fitted[row], measured[row], errors[row]);
+  if (points.x.empty()) return section;
+  const auto [low, high] = std::minmax_element(points.x.begin(), points.x.end());
+  line.x = line.values = {*low, *high};
+  section.series = {std::move(points), std::move(line)};
+  return section;
+}
+
+FactsSection asked(const RheometerCase& values) {
+  const RheometerSweep& sweep = values.sweep;
+  FactsSection section{"asked", "Inputs", sample_facts(values.cell.sample)};
+  const std::string flow = name_of(flow_types(), values.cell.flow.type);
+  section.rows.push_back(
+      {"Flow", sweep.flows.empty() ? flow : fmt::format("{}", fmt::join(sweep.flows, ", "))});
+  section.rows.push_back({"Matrix viscosity", values.cell.flow.viscosity.value_or(0), "Pa s"});
+  section.rows.push_back({"Points", static_cast<std::int64_t>(points(sweep).size())});
+  section.rows.push_back({"Replicas", sweep.replicas});
+  if (sweep.strain)
+    section.rows.push_back({"Strain of each point", *sweep.strain});
+  else
+    section.rows.push_back({"Duration of each point", values.cell.run.duration, "s"});
+  section.rows.push_back({"Seed", std::to_string(values.cell.run.seed)});
+  return section;
+}
+
+std::string interval_note(const FittedNumber& number) {
+  return std::isfinite(number.lower) ? fmt::format("95 %: {:.4g} to {:.4g}", number.lower, number.upper) : "";
+}
+
+void append_fit(FactsSection& section, const RheometerFit& fit, bool alone) {
+  const std::string of = alone ? ""
+                               : fmt::format(", {:.3g} % by volume, {:.3g} mm", 100 * fit.volume_fraction,
+                                             1e3 * fit.mean_length);
+  const FittedNumber &number = fit.stress.particle_number, &ratio = fit.viscosity.viscosity_ratio,
+                     &term = fit.viscosity.trouton_term;
+  section.rows.push_back({"N_p" + of, number.value, "", interval_note(number), Prominence::headline});
+  section.rows.push_back(
+      {"N_p of semi-dilute aligned fibers" + of, fit.dinh_armstrong, "", "Dinh and Armstrong"});
+  section.rows.push_back({"Share of the stress that N_p explains" + of, 100 * fit.stress.explained, "%"});
+  if (fit.viscosity.is_told()) {
+    section.rows.push_back({"R_T" + of, term.value, "", interval_note(term), Prominence::headline});
+    section.rows.push_back({"eta_S over the melt's viscosity" + of, ratio.value, "", interval_note(ratio)});
+  } else {
+    section.rows.push_back({"R_T" + of, words_of(fit.viscosity)});
+  }
+}
+
+}  // namespace
+
+ReportDocument report_rheometer(const RheometerCase& values, const ResultFolder& folder) {
+  ReportDocument document{"Rheometer of fibers"};
+  document.sections.emplace_back(asked(values));
+  const CsvTable readings = read_csv(folder.file("rheometer.csv"));
+  if (readings.rows() == 0) return document;
+  const std::vector<RheometerFit> fits = fit_readings(values, readings);
+  FactsSection found{"outcome", "Results", {{"Runs", static_cast<std::int64_t>(readings.rows())}}};
+  for (const RheometerFit& fit : fits) append_fit(found, fit, fits.size() == 1);
+  document.sections.emplace_back(std::move(found));
+  const CsvTable curves = curves_of(values, readings, fits);
+  const auto draw = [&](LinesSection section, const std::vector<Drawn>& quantities) {
+    section = section_of(values, curves, std::move(section), quantities);
+    if (!section.series.empty()) document.sections.emplace_back(std::move(section));
+  };
+  draw({"viscosity", "Relative viscosity", {}, {"viscosity over the melt's"}, {}, {}},
+       {{"relative_viscosity", "relative_viscosity_error", "relative viscosity"}});
+  draw({"normal_stress", "Normal stress differences", {}, {"stress", "Pa"}, {}, {}},
+       {{"N1_Pa", "N1_error_Pa", "N_1"}, {"N2_Pa", "N2_error_Pa", "N_2"}});
+  draw({"elongational_viscosity", "Elongational viscosity", {}, {"viscosity", "Pa s"}, {}, {}},
+       {{"elongational_viscosity_Pa_s", "elongational_viscosity_error_Pa_s", "elongational viscosity"}});
+  draw({"particle_number", "N_p of each point", {}, {"N_p"}, {}, {}},
+       {{"particle_number", "particle_number_error", "N_p"}});
+  if (LinesSection section = parity(curves); !section.series.empty())
+    document.sections.emplace_back(std::move(section));
+  return document;
+}
+
+}  // namespace fiberfate
