@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "studies/rheometer/curves.hpp"
@@ -49,10 +48,22 @@ std::string curve_name(const RheometerCase& values, const RheometerPoint& point,
   return parts.empty() ? "" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// A quantity of curves.csv that is drawn.
+/// A quantity of curves.csv that is drawn; one that goes with the rate over the viscosity times the rate.
 struct Drawn {
   const char *column, *error, *label;
+  enum class Scale { as_it_is, of_melt } scale = Scale::as_it_is;
+
+  [[nodiscard]] double unit(const CsvTable& curves, std::size_t row) const {
+    if (scale == Scale::as_it_is) return 1;
+    return curves.column("viscosity_Pa_s")[row] * std::abs(curves.column("rate_per_s")[row]);
+  }
 };
+
+/// Labels a curve by its quantity, where several are drawn, and by its name.
+std::string label_of(const Drawn& quantity, const std::string& name, std::size_t quantities) {
+  if (name.empty()) return quantity.label;
+  return quantities == 1 ? name : fmt::format("{}, {}", quantity.label, name);
+}
 
 void append_point(ReportSeries& series, double x, double value, double error) {
   series.x.push_back(x);
@@ -70,24 +81,21 @@ LinesSection section_of(const RheometerCase& values, const CsvTable& curves, Lin
   section.x = axis.axis;
   section.caption = "Means of the replicas; bars are one standard error to either side.";
   for (const Drawn& one : quantities) {
-    std::map<std::string, ReportSeries> named;
-    std::vector<std::string> order;
+    std::vector<ReportSeries> drawn;
     for (std::size_t row = 0; row < curves.rows(); ++row) {
       const RheometerPoint& point = all.at(static_cast<std::size_t>(curves.column("point")[row]));
-      const double value = curves.column(one.column)[row];
+      const double unit = one.unit(curves, row), value = curves.column(one.column)[row] / unit;
       if (!std::isfinite(value)) continue;
-      const std::string name = curve_name(values, point, axis.place);
-      if (!named.contains(name)) {
-        order.push_back(name);
-        const std::string separator = name.empty() ? "" : ", ";
-        named[name] = {one.label + separator + name, {}, CurveStyle::points};
-      }
+      const std::string label = label_of(one, curve_name(values, point, axis.place), quantities.size());
+      auto series = std::find_if(drawn.begin(), drawn.end(),
+                                 [&label](const ReportSeries& other) { return other.label == label; });
+      if (series == drawn.end()) series = drawn.insert(series, {label, {}, CurveStyle::points});
       const bool by_flow = axis.place == &RheometerPoint::flow;
       const double x =
           by_flow ? static_cast<double>(point.flow.value_or(0) + 1) : curves.column(axis.column)[row];
-      append_point(named[name], x, value, curves.column(one.error)[row]);
+      append_point(*series, x, value, curves.column(one.error)[row] / unit);
     }
-    for (const std::string& name : order) section.series.push_back(std::move(named[name]));
+    append(section.series, std::move(drawn));
   }
   return section;
 }
@@ -147,6 +155,8 @@ void append_fit(FactsSection& section, const RheometerFit& fit, bool alone) {
   if (fit.viscosity.is_told()) {
     section.rows.push_back({"R_T" + of, term.value, "", interval_note(term), Prominence::headline});
     section.rows.push_back({"eta_S over the melt's viscosity" + of, ratio.value, "", interval_note(ratio)});
+    section.rows.push_back({"phi N_p" + of, fit.volume_fraction * number.value, "",
+                            "R_T where the stress is 2 eta phi N_p A4:D"});
   } else {
     section.rows.push_back({"R_T" + of, words_of(fit.viscosity)});
   }
@@ -155,7 +165,7 @@ void append_fit(FactsSection& section, const RheometerFit& fit, bool alone) {
 }  // namespace
 
 ReportDocument report_rheometer(const RheometerCase& values, const ResultFolder& folder) {
-  ReportDocument document{"Rheometer of fibers"};
+  ReportDocument document{"Rheology of fibers in melt"};
   document.sections.emplace_back(asked(values));
   const CsvTable readings = read_csv(folder.file("rheometer.csv"));
   if (readings.rows() == 0) return document;
@@ -170,8 +180,9 @@ ReportDocument report_rheometer(const RheometerCase& values, const ResultFolder&
   };
   draw({"viscosity", "Relative viscosity", {}, {"viscosity over the melt's"}, {}, {}},
        {{"relative_viscosity", "relative_viscosity_error", "relative viscosity"}});
-  draw({"normal_stress", "Normal stress differences", {}, {"stress", "Pa"}, {}, {}},
-       {{"N1_Pa", "N1_error_Pa", "N_1"}, {"N2_Pa", "N2_error_Pa", "N_2"}});
+  draw({"normal_stress", "Normal stress differences", {}, {"over viscosity times rate of the melt"}, {}, {}},
+       {{"N1_Pa", "N1_error_Pa", "N_1", Drawn::Scale::of_melt},
+        {"N2_Pa", "N2_error_Pa", "N_2", Drawn::Scale::of_melt}});
   draw({"elongational_viscosity", "Elongational viscosity", {}, {"viscosity", "Pa s"}, {}, {}},
        {{"elongational_viscosity_Pa_s", "elongational_viscosity_error_Pa_s", "elongational viscosity"}});
   draw({"particle_number", "N_p of each point", {}, {"N_p"}, {}, {}},
