@@ -143,14 +143,20 @@ std::string name_of_point(const CsvTable& curves, std::size_t row) {
   return name;
 }
 
+/// "3.21 ± 0.12", or the value alone where its error is not known.
+std::string with_error(double value, double error) {
+  return std::isfinite(error) ? fmt::format("{:.4g} ± {:.2g}", value, error) : fmt::format("{:.4g}", value);
+}
+
 /// The viscosities of the first points and of the last, a line.
 std::string viscosity_line(const CsvTable& curves) {
   constexpr std::size_t most = 4;
   std::vector<std::string> parts;
   for (std::size_t row = 0; row < curves.rows(); ++row) {
     if (curves.rows() > most && row > 0 && row + 1 < curves.rows()) continue;
-    parts.push_back(fmt::format("{:.4g} ± {:.2g} ({})", curves.column("relative_viscosity")[row],
-                                curves.column("relative_viscosity_error")[row], name_of_point(curves, row)));
+    parts.push_back(
+        with_error(curves.column("relative_viscosity")[row], curves.column("relative_viscosity_error")[row]) +
+        " (" + name_of_point(curves, row) + ")");
   }
   return fmt::format("viscosity over the melt's: {}", fmt::join(parts, curves.rows() > most ? " … " : ", "));
 }
@@ -160,8 +166,8 @@ std::string fit_line(const RheometerFit& fit, std::size_t fits) {
   const std::string of = fits > 1 ? fmt::format("{:.3g} % by volume, {:.3g} mm: ", 100 * fit.volume_fraction,
                                                 1e3 * fit.mean_length)
                                   : "";
-  return fmt::format("{}N_p {:.4g} ± {:.2g} (semi-dilute aligned fibers: {:.4g}); {}", of, number.value,
-                     number.error, fit.dinh_armstrong, words_of(fit.viscosity));
+  return fmt::format("{}N_p {} (semi-dilute aligned fibers: {:.4g}); {}", of,
+                     with_error(number.value, number.error), fit.dinh_armstrong, words_of(fit.viscosity));
 }
 
 }  // namespace

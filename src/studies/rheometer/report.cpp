@@ -138,28 +138,71 @@ FactsSection asked(const RheometerCase& values) {
   return section;
 }
 
-std::string interval_note(const FittedNumber& number) {
-  return std::isfinite(number.lower) ? fmt::format("95 %: {:.4g} to {:.4g}", number.lower, number.upper) : "";
+std::string interval(const FittedNumber& number) {
+  return std::isfinite(number.lower) ? fmt::format("{:.4g} to {:.4g}", number.lower, number.upper) : "";
 }
 
-void append_fit(FactsSection& section, const RheometerFit& fit, bool alone) {
-  const std::string of = alone ? ""
-                               : fmt::format(", {:.3g} % by volume, {:.3g} mm", 100 * fit.volume_fraction,
-                                             1e3 * fit.mean_length);
+std::string interval_note(const FittedNumber& number) {
+  const std::string ends = interval(number);
+  return ends.empty() ? ends : "95 %: " + ends;
+}
+
+/// What was fitted to fibers of one kind.
+FactsSection facts_of(const RheometerFit& fit) {
   const FittedNumber &number = fit.stress.particle_number, &ratio = fit.viscosity.viscosity_ratio,
                      &term = fit.viscosity.trouton_term;
-  section.rows.push_back({"N_p" + of, number.value, "", interval_note(number), Prominence::headline});
-  section.rows.push_back(
-      {"N_p of semi-dilute aligned fibers" + of, fit.dinh_armstrong, "", "Dinh and Armstrong"});
-  section.rows.push_back({"Share of the stress that N_p explains" + of, 100 * fit.stress.explained, "%"});
-  if (fit.viscosity.is_told()) {
-    section.rows.push_back({"R_T" + of, term.value, "", interval_note(term), Prominence::headline});
-    section.rows.push_back({"eta_S over the melt's viscosity" + of, ratio.value, "", interval_note(ratio)});
-    section.rows.push_back({"phi N_p" + of, fit.volume_fraction * number.value, "",
-                            "R_T where the stress is 2 eta phi N_p A4:D"});
-  } else {
-    section.rows.push_back({"R_T" + of, words_of(fit.viscosity)});
+  FactsSection section{
+      "outcome",
+      "Results",
+      {{"Runs", static_cast<std::int64_t>(fit.viscosity.readings)},
+       {"N_p", number.value, "", interval_note(number), Prominence::headline},
+       {"N_p of semi-dilute aligned fibers", fit.dinh_armstrong, "", "Dinh and Armstrong"},
+       {"Share of the stress that N_p explains", 100 * fit.stress.explained, "%"},
+       {"phi N_p", fit.volume_fraction * number.value, "", "R_T where the stress is 2 eta phi N_p A4:D"}}};
+  if (!fit.viscosity.is_told()) {
+    section.rows.push_back({"R_T", words_of(fit.viscosity)});
+    return section;
   }
+  section.rows.push_back({"R_T", term.value, "", interval_note(term), Prominence::headline});
+  section.rows.push_back({"eta_S over the melt's viscosity", ratio.value, "", interval_note(ratio)});
+  return section;
+}
+
+/// What was fitted to fibers of several kinds, a row each.
+TableSection table_of(const std::vector<RheometerFit>& fits) {
+  TableSection section{"outcome",
+                       "Results",
+                       {{"volume fraction", "%"},
+                        {"L_N", "m"},
+                        {"runs"},
+                        {"N_p"},
+                        {"95 %"},
+                        {"N_p, semi-dilute"},
+                        {"stress explained", "%"},
+                        {"R_T"},
+                        {"95 %"},
+                        {"eta_S over the melt's"},
+                        {"95 %"}},
+                       {}};
+  section.caption =
+      "Where the stretching share x = (D:A4:D)/(D:D) varies too little between the runs, R_T is not told.";
+  for (const RheometerFit& fit : fits) {
+    const FittedNumber &number = fit.stress.particle_number, &ratio = fit.viscosity.viscosity_ratio,
+                       &term = fit.viscosity.trouton_term;
+    std::vector<TableCell> row = {100 * fit.volume_fraction,
+                                  fit.mean_length,
+                                  static_cast<std::int64_t>(fit.viscosity.readings),
+                                  number.value,
+                                  interval(number),
+                                  fit.dinh_armstrong,
+                                  100 * fit.stress.explained};
+    if (fit.viscosity.is_told())
+      row.insert(row.end(), {term.value, interval(term), ratio.value, interval(ratio)});
+    else
+      row.insert(row.end(), 4, std::string("–"));
+    section.rows.push_back(std::move(row));
+  }
+  return section;
 }
 
 }  // namespace
@@ -170,9 +213,10 @@ ReportDocument report_rheometer(const RheometerCase& values, const ResultFolder&
   const CsvTable readings = read_csv(folder.file("rheometer.csv"));
   if (readings.rows() == 0) return document;
   const std::vector<RheometerFit> fits = fit_readings(values, readings);
-  FactsSection found{"outcome", "Results", {{"Runs", static_cast<std::int64_t>(readings.rows())}}};
-  for (const RheometerFit& fit : fits) append_fit(found, fit, fits.size() == 1);
-  document.sections.emplace_back(std::move(found));
+  if (fits.size() == 1)
+    document.sections.emplace_back(facts_of(fits.front()));
+  else
+    document.sections.emplace_back(table_of(fits));
   const CsvTable curves = curves_of(values, readings, fits);
   const auto draw = [&](LinesSection section, const std::vector<Drawn>& quantities) {
     section = section_of(values, curves, std::move(section), quantities);

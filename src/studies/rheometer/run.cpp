@@ -135,7 +135,7 @@ StopReason RheometerRun::follow() {
     return found.reason;
   } catch (const SimulationFailure& failure) {
     session_.end_progress();
-    session_.recorder().error(failure.what());
+    session_.recorder().error(fmt::format("run {} of {}: {}", done() + 1, total_, failure.what()));
     progress_.take(*going_);
     save_failure(session_.recorder(), progress_);
     throw;
