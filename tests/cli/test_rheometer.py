@@ -1,7 +1,11 @@
 """The study rheometer: its tables, what a resumed run keeps, what is refused."""
+import pathlib
+import re
+import subprocess
+
 import pytest
 
-from small_case import column, run, series, summary
+from small_case import PROGRAM, column, run, series, summary
 
 CASE = """study = "rheometer"
 
@@ -26,6 +30,7 @@ youngs_modulus = "10 GPa"
 viscosity = "200 Pa s"
 """
 TABLES = ("rheometer.csv", "curves.csv", "fits.csv")
+DOCS = pathlib.Path(__file__).parents[2] / "docs" / "formats"
 
 
 def write(folder, *changes):
@@ -50,7 +55,6 @@ def test_runs_all_points_and_replicas(tmp_path):
     values = summary(tmp_path / "r")
     assert values["relative_viscosity"] == viscosities and values["runs_done"] == 8
     assert values["particle_number"] == column(tmp_path / "r", "particle_number", "fits.csv")
-    run("report", tmp_path / "r")
     again = run("resume", tmp_path / "r")
     assert "at its end already" in again.stdout + again.stderr
 
@@ -62,11 +66,42 @@ def test_resumes_bitwise_wherever_it_stopped(tmp_path):
     assert summary(tmp_path / "parts")["stop_reason"] == "steps_reached"
     run("resume", tmp_path / "parts", "--steps", 700)
     assert 0 < summary(tmp_path / "parts")["runs_done"] < 8
-    run("report", tmp_path / "parts")
     run("resume", tmp_path / "parts", "--steps", 301)
     run("resume", tmp_path / "parts", "--threads", 2)
     for table in TABLES:
         assert series(tmp_path / "whole", table) == series(tmp_path / "parts", table)
+
+
+def named_in(words):
+    """Names what a cell of a table of the docs names: "`a11` … `a23`" the ends only."""
+    return re.findall(r"`([^`…]+)`", words)
+
+
+def test_docs_name_every_column_and_key(tmp_path):
+    run("run", write(tmp_path), "--out", tmp_path / "r")
+    cells = re.findall(r"^\| ([^|]+) \|", (DOCS / "rheometer.md").read_text(encoding="utf-8"), re.M)
+    documented = {name for cell in cells for name in named_in(cell)}
+    between = re.compile(r"a[123]{2}([123]{2})?|stress_[123]{2}_Pa|.*_(error|lower|upper)")  # told by their ends
+    for table in TABLES:
+        missing = {name for name in series(tmp_path / "r", table)[0] if name not in documented and not between.fullmatch(name)}
+        assert not missing
+    page = (DOCS / "summary.md").read_text(encoding="utf-8")
+    missing = {key for key in summary(tmp_path / "r") if f"`{key}`" not in page and not between.fullmatch(key)}
+    assert missing <= {"particle_number_dinh_armstrong"}
+
+
+@pytest.mark.parametrize("changes", [[], [('flows = ["shear", "uniaxial"]\n', 'volume_fractions = ["2 %", "4 %"]\n'),
+                                          ('volume_fraction = "4 %"\n', "")]], ids=["flows", "fractions"])
+def test_report_opens_before_and_after_the_end(tmp_path, changes):
+    case = write(tmp_path, *changes)
+    for steps in (["--steps", 5], ["--steps", 700], []):
+        run("run", case, "--out", tmp_path / "r", "--overwrite", *steps)
+        tried = subprocess.run([PROGRAM, "report", tmp_path / "r"], capture_output=True, text=True, timeout=300, check=False)
+        if "without the HTML report" in tried.stderr:
+            pytest.skip("this program was built without the report")
+        assert tried.returncode == 0, tried.stderr
+    page = (tmp_path / "r" / "report.html").read_text(encoding="utf-8")
+    assert "Rheology of fibers in melt" in page and "Relative viscosity" in page
 
 
 def test_one_replica_has_the_errors_of_its_series(tmp_path):
