@@ -189,13 +189,13 @@ void validate_flow(const FlowChoices& flow, double duration, CaseChecker& checke
     return;
   }
   checker.warn_unused({"flow.table", "flow.gradient_table"}, "flow.kind = \"table\"");
-  checker.require("flow.viscosity", why, "\"200 Pa s\"");
   if (flow.type == FlowType::gradient) {
     checker.require("flow.gradient", "this type of flow needs it", "[[0.3, 1, 0, 0, -0.3, 0, 0, 0, 0]]");
     checker.warn_unused({"flow.rate"}, "another flow.type");
   } else {
     checker.require("flow.rate", why, "\"16.65 1/s\"");
   }
+  checker.require("flow.viscosity", why, "\"200 Pa s\"");
   if (flow.kind == FlowKind::oscillation) validate_oscillation(flow, duration, checker);
 }
 
