@@ -85,8 +85,20 @@ def agreement(points):
     return chart.sheet
 
 
+def rheology(folder, _):
+    """Draws the relative viscosity over the rate, a colour for each flow."""
+    columns = table(folder, "curves.csv")
+    rates, viscosities = columns["rate_per_s"], columns["relative_viscosity"]
+    chart = Chart((0, 1.05 * max(rates)), (0, 1.1 * max(viscosities)), ("rate, 1/s", "viscosity over the melt's"))
+    for place, flow in enumerate(sorted(set(columns["flow"]))):
+        points = [(rate, value) for kind, rate, value in zip(columns["flow"], rates, viscosities) if kind == flow]
+        chart.line(points, SERIES[place % len(SERIES)])
+        chart.dots(points, SERIES[place % len(SERIES)])
+    return chart.sheet, "Relative viscosity over the rate, in several flows"
+
+
 DRAW = {"orientation": orientation, "shear_cell": orientation, "attrition": lengths, "properties": modulus,
-        "measurement": histogram, "calibration": fits}
+        "measurement": histogram, "calibration": fits, "rheometer": rheology}
 
 
 def draw(folder, summary):

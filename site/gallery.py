@@ -8,7 +8,7 @@ from staging import shown
 
 # In the order of docs/README.md: what fibers do, what becomes of fields, what is measured.
 GROUPS = {
-    "shear_cell": "Fibers in a sheared cell", "cluster": "Packed fibers", "orientation": "Orientation at a point",
+    "shear_cell": "Fibers in a sheared cell", "cluster": "Packed fibers", "rheometer": "Viscosity of fibers in melt", "orientation": "Orientation at a point",
     "attrition": "Lengths at a point", "properties": "Stiffness", "measurement": "Measured fibers",
     "calibration": "Calibration", "molding": "Parts that fill",
 }

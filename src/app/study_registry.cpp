@@ -13,6 +13,7 @@
 #include "studies/molding/run.hpp"
 #include "studies/orientation/run.hpp"
 #include "studies/properties/run.hpp"
+#include "studies/rheometer/run.hpp"
 #include "studies/shear_cell/case.hpp"
 #include "studies/shear_cell/run.hpp"
 
@@ -55,6 +56,14 @@ constexpr MethodText properties_method = {
     "orientation.",
     "Advani, Tucker, J. Rheol. 31, 751 (1987)"};
 
+constexpr MethodText rheometer_method = {
+    "The stress that fibers add to the melt is averaged over the stationary part of direct simulations of "
+    "periodic cells, each with a packing of its own for every replica; N_p is that of the least squares of "
+    "the "
+    "deviatoric stress, R_T that of a linear regression of the viscosity.",
+    "Tucker, J. Non-Newton. Fluid Mech. 39, 239 (1991); Favaloro, Tseng, Pipes, Composites A 115, 207 "
+    "(2018)"};
+
 }  // namespace
 
 const std::vector<Study>& studies() {
@@ -91,6 +100,11 @@ const std::vector<Study>& studies() {
           "properties", "predict stiffness and thermal expansion from the lengths and orientation of fibers",
           describe_properties, validate_properties, estimate_properties, compute_properties,
           report_properties, TakenOptions{}, properties_method}),
+      make_study(StudyFunctions<RheometerCase>{
+          "rheometer",
+          "measure the viscosity and normal stresses of fibers in melt over rates, flows and fibers",
+          describe_rheometer, validate_rheometer, estimate_rheometer, compute_rheometer, report_rheometer,
+          TakenOptions{.threads = true, .steps = true}, rheometer_method}),
   };
   return all;
 }

@@ -117,6 +117,20 @@ void CaseChecker::warn_unused(const std::vector<std::string>& keys, const std::s
     if (is_given(key)) warn(key, "has no effect", "it is read by " + reader + " only");
 }
 
+void CaseChecker::check_with(const std::vector<TomlEntry>& entries,
+                             const std::function<void(CaseChecker&)>& work) {
+  TomlDocument changed = document_;
+  for (const TomlEntry& entry : entries) changed.replace(entry);
+  CaseChecker inside(changed, errors_, named_files_);
+  inside.unread_ = unread_;
+  work(inside);
+  errors_ = inside.errors_;
+  for (const InputProblem& found : inside.warnings_) {
+    const auto same = [&found](const InputProblem& one) { return one.message() == found.message(); };
+    if (std::none_of(warnings_.begin(), warnings_.end(), same)) warnings_.push_back(found);
+  }
+}
+
 bool CaseChecker::is_sound(const std::string& key) const {
   return std::none_of(errors_.begin(), errors_.end(),
                       [&key](const InputProblem& one) { return one.key == key; });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -66,6 +67,12 @@ class CaseChecker {
   [[nodiscard]] bool files_may_be_gone() const { return named_files_ == NamedFiles::may_be_gone; }
   /// Reports an error unless the file exists and can be read.
   void check_file(const std::string& key, const std::string& path);
+
+  /// Checks the same case with other entries in place of some of its own: gives the work a checker that knows
+  /// them, and takes over what that one finds, each thing once.
+  void check_with(const std::vector<TomlEntry>& entries, const std::function<void(CaseChecker&)>& work);
+  /// Finds the entry of a key; null when it is not given.
+  [[nodiscard]] const TomlEntry* find(const std::string& key) const { return document_.find(key); }
 
   [[nodiscard]] const std::vector<InputProblem>& errors() const { return errors_; }
   [[nodiscard]] const std::vector<InputProblem>& warnings() const { return warnings_; }

@@ -162,9 +162,10 @@ void KeyTable::quantity(const std::string& key, double& member, KeyNotes notes) 
          [&member](double number) { member = number; });
     return complaints;
   };
-  const bool required = notes.need == Need::required;
-  const auto write = [&member, notes, required](NumberStyle style) {
-    const bool unset = required && !notes.range.contains(member);
+  // One without a default has an example.
+  const bool without_default = !notes.example.empty();
+  const auto write = [&member, notes, without_default](NumberStyle style) {
+    const bool unset = without_default && !notes.range.contains(member);
     return unset ? std::string() : write_quantity(member, units_of(notes), style);
   };
   add({key, notes, "quantity", {}, read, write});

@@ -16,8 +16,11 @@ constexpr double most_rows = 1e6;  ///< more are a slip of the unit
 }  // namespace
 
 KeyRow<RunChoices> duration_key(double longest, const char* example) {
-  return key("duration", &RunChoices::duration, {"s"}, Range::positive(longest), "Simulated time.",
-             required(example));
+  return duration_key(longest, "Simulated time.", required(example));
+}
+
+KeyRow<RunChoices> duration_key(double longest, const char* text, Given given) {
+  return key("duration", &RunChoices::duration, {"s"}, Range::positive(longest), text, given);
 }
 
 KeyRow<RunChoices> seed_key() {

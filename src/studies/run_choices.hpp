@@ -21,6 +21,8 @@ struct RunChoices {
 };
 
 [[nodiscard]] KeyRow<RunChoices> duration_key(double longest, const char* example);
+/// The same of a study in which something else may say how long.
+[[nodiscard]] KeyRow<RunChoices> duration_key(double longest, const char* text, Given given);
 [[nodiscard]] KeyRow<RunChoices> seed_key();
 [[nodiscard]] KeyRow<RunChoices> threads_key();
 

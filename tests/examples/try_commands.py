@@ -115,7 +115,7 @@ def shortened(resolved, folder):
     variants = folder / "variants.toml"
     if variants.exists() and "[short]" in variants.read_text(encoding="utf-8"):
         return [] if study in QUICK_STUDIES else ["--variant", "short"]
-    return ["--steps", "5"] if study in ("shear_cell", "molding") else []
+    return ["--steps", "5"] if study in ("shear_cell", "rheometer", "molding") else []
 
 
 def resolved_value(resolved, key):

@@ -25,8 +25,9 @@ ALLOWED["studies"] = set(ALLOWED)
 ALLOWED["app"] = set(ALLOWED)
 
 # What a room of studies/ may include, besides itself and what lies in studies/ itself: fibers come from sample, and
-# a calibration may fill molds. Nothing else of another study.
-ROOMS = {"cluster": {"sample"}, "shear_cell": {"sample"}, "calibration": {"molding"}}
+# a calibration may fill molds, and a rheometer runs sheared cells. Nothing else of another study.
+ROOMS = {"cluster": {"sample"}, "shear_cell": {"sample"}, "calibration": {"molding"},
+         "rheometer": {"sample", "shear_cell"}}
 
 LONGEST_FILE = 400
 LONGEST_FUNCTION = 60

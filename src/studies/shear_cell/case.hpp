@@ -36,6 +36,11 @@ struct ShearCellCase {
 };
 
 void describe_shear_cell(KeyTable& table, ShearCellCase& values);
+/// The keys of [drag], [hinge], [contact], [breakage] and [step].
+void describe_dynamics(KeyTable& table, DynamicsParameters& dynamics);
+/// The keys of [output] that say how often runs are saved, and what of the stress is read and averaged.
+[[nodiscard]] KeyRows<OutputChoices> checkpoint_rows();
+[[nodiscard]] KeyRows<OutputChoices> stress_rows();
 void validate_shear_cell(const ShearCellCase& values, CaseChecker& checker);
 [[nodiscard]] CaseEstimate estimate_shear_cell(const ShearCellCase& values);
 

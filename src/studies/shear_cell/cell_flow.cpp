@@ -112,57 +112,67 @@ FlowHistory oscillation(const FlowChoices& flow, const Flow& largest) {
 
 }  // namespace
 
-KeyGroup<FlowChoices> flow_keys() {
-  using Choice = FlowChoices;
-  const Choices<FlowType> types = {
+const Choices<FlowType>& flow_types() {
+  static const Choices<FlowType> types = {
       {FlowType::shear, "shear", "simple shear u_x = rate y"},
       {FlowType::planar, "planar", "planar elongation, rate diag(1, -1, 0)"},
       {FlowType::uniaxial, "uniaxial", "uniaxial elongation, rate diag(1, -1/2, -1/2)"},
       {FlowType::biaxial, "biaxial", "biaxial elongation, rate diag(1, 1, -2)"},
       {FlowType::mixed, "mixed", "u_x = rate y, u_y = alpha rate x: 0 shears, 1 stretches, -1 turns"},
       {FlowType::gradient, "gradient", "any gradient that some lattice follows, flow.gradient"}};
+  return types;
+}
+
+KeyRow<FlowChoices> flow_type_row() {
+  return key("type", &FlowChoices::type, flow_types(), "What the melt does.");
+}
+
+KeyRows<FlowChoices> constant_flow_rows(Given rate) {
+  using Choice = FlowChoices;
+  return {key("rate", &Choice::rate, {"1/s"}, Range::between(-1e7, 1e7),
+              "Shear rate du_x/dy, or rate of elongation du_x/dx; for a ramp, the last one.", rate,
+              "thesis table 3"),
+          key("alpha", &Choice::alpha, {}, Range::between(-1, 1),
+              "What type \"mixed\" is, from turning to stretching."),
+          rows_key("gradient", &Choice::gradient, gradient_columns(),
+                   "For type = \"gradient\": one row of L11, L12, L13, L21, … L33, L_ij = d u_i / d x_j.",
+                   optional("[[0.3, 1, 0, 0, -0.3, 0, 0, 0, 0]]")),
+          key("viscosity", &Choice::viscosity, {"Pa s"}, viscosities(), "Viscosity of the matrix.",
+              usual("\"200 Pa s\""), "thesis table 3")};
+}
+
+KeyGroup<FlowChoices> flow_keys() {
+  using Choice = FlowChoices;
   const Choices<FlowKind> kinds = {
       {FlowKind::constant, "constant", "rate and viscosity from the first moment"},
       {FlowKind::ramp, "ramp", "the rate rises to flow.rate in equal steps"},
       {FlowKind::oscillation, "oscillation", "the rate swings, flow.rate cos(2 pi t / period)"},
       {FlowKind::table, "table", "rate and viscosity follow flow.table"}};
-  return {"flow",
-          "The homogeneous flow of the melt; positive rates of elongation stretch along x.",
-          {
-              key("type", &Choice::type, types, "What the melt does."),
-              key("kind", &Choice::kind, kinds, "How fast it does so over time."),
-              key("rate", &Choice::rate, {"1/s"}, Range::between(-1e7, 1e7),
-                  "Shear rate du_x/dy, or rate of elongation du_x/dx; for a ramp, the last one.",
-                  usual("\"16.65 1/s\""), "thesis table 3"),
-              key("alpha", &Choice::alpha, {}, Range::between(-1, 1),
-                  "What type \"mixed\" is, from turning to stretching."),
-              rows_key("gradient", &Choice::gradient, gradient_columns(),
-                       "For type = \"gradient\": one row of L11, L12, L13, L21, … L33, L_ij = d u_i / d x_j.",
-                       optional("[[0.3, 1, 0, 0, -0.3, 0, 0, 0, 0]]")),
-              key("viscosity", &Choice::viscosity, {"Pa s"}, viscosities(), "Viscosity of the matrix.",
-                  usual("\"200 Pa s\""), "thesis table 3"),
-              key("ramp_duration", &Choice::ramp_duration, {"s"}, Range::positive(),
-                  "Time in which a ramp reaches flow.rate.", {}, "thesis figure 3.24"),
-              key("ramp_steps", &Choice::ramp_steps, {}, Range::between(1, 1e6),
-                  "Number of equal steps of a ramp; the first is flow.rate / ramp_steps.", {},
-                  "thesis figure 3.24"),
-              key("period", &Choice::period, {"s"}, Range::positive(), "Time of one swing of an oscillation.",
-                  optional("\"0.1 s\"")),
-              key("period_steps", &Choice::period_steps, {}, Range::between(4, 1e5),
-                  "Steps of the rate in one swing; strains are exact at their ends."),
-              rows_key("table", &Choice::table,
-                       {{"end time", {"s", "s"}, Range::positive()},
-                        {"rate", {"1/s", "1/s"}, Range::between(-1e7, 1e7)},
-                        {"viscosity", {"Pa s", "Pa s"}, viscosities()}},
-                       "For kind = \"table\": rows [end time, rate, viscosity], the last of which lasts to "
-                       "the end; or the path of a text file with such rows in s, 1/s and Pa s.",
-                       optional(R"([["0.5 s", "10 1/s", "300 Pa s"], ["2 s", "100 1/s", "150 Pa s"]])")),
-              rows_key("gradient_table", &Choice::gradient_table, timed_gradient_columns(),
-                       "For type = \"gradient\" with kind = \"table\": rows [end time, L11, … L33, "
-                       "viscosity]; or the path "
-                       "of a text file with such rows in SI.",
-                       optional(R"([["1 s", 1, 0, 0, 0, -1, 0, 0, 0, 0, "300 Pa s"]])")),
-          }};
+  const KeyRows<Choice> kind = {flow_type_row(),
+                                key("kind", &Choice::kind, kinds, "How fast it does so over time.")};
+  const KeyRows<Choice> over_time = {
+      key("ramp_duration", &Choice::ramp_duration, {"s"}, Range::positive(),
+          "Time in which a ramp reaches flow.rate.", {}, "thesis figure 3.24"),
+      key("ramp_steps", &Choice::ramp_steps, {}, Range::between(1, 1e6),
+          "Number of equal steps of a ramp; the first is flow.rate / ramp_steps.", {}, "thesis figure 3.24"),
+      key("period", &Choice::period, {"s"}, Range::positive(), "Time of one swing of an oscillation.",
+          optional("\"0.1 s\"")),
+      key("period_steps", &Choice::period_steps, {}, Range::between(4, 1e5),
+          "Steps of the rate in one swing; strains are exact at their ends."),
+      rows_key("table", &Choice::table,
+               {{"end time", {"s", "s"}, Range::positive()},
+                {"rate", {"1/s", "1/s"}, Range::between(-1e7, 1e7)},
+                {"viscosity", {"Pa s", "Pa s"}, viscosities()}},
+               "For kind = \"table\": rows [end time, rate, viscosity], the last of which lasts to "
+               "the end; or the path of a text file with such rows in s, 1/s and Pa s.",
+               optional(R"([["0.5 s", "10 1/s", "300 Pa s"], ["2 s", "100 1/s", "150 Pa s"]])")),
+      rows_key("gradient_table", &Choice::gradient_table, timed_gradient_columns(),
+               "For type = \"gradient\" with kind = \"table\": rows [end time, L11, … L33, "
+               "viscosity]; or the path "
+               "of a text file with such rows in SI.",
+               optional(R"([["1 s", 1, 0, 0, 0, -1, 0, 0, 0, 0, "300 Pa s"]])")),
+  };
+  return {"flow", flow_text, joined<Choice>({kind, constant_flow_rows(usual("\"16.65 1/s\"")), over_time})};
 }
 
 void validate_flow(const FlowChoices& flow, double duration, CaseChecker& checker) {
@@ -179,13 +189,13 @@ void validate_flow(const FlowChoices& flow, double duration, CaseChecker& checke
     return;
   }
   checker.warn_unused({"flow.table", "flow.gradient_table"}, "flow.kind = \"table\"");
-  checker.require("flow.viscosity", why, "\"200 Pa s\"");
   if (flow.type == FlowType::gradient) {
     checker.require("flow.gradient", "this type of flow needs it", "[[0.3, 1, 0, 0, -0.3, 0, 0, 0, 0]]");
     checker.warn_unused({"flow.rate"}, "another flow.type");
   } else {
     checker.require("flow.rate", why, "\"16.65 1/s\"");
   }
+  checker.require("flow.viscosity", why, "\"200 Pa s\"");
   if (flow.kind == FlowKind::oscillation) validate_oscillation(flow, duration, checker);
 }
 

@@ -33,7 +33,15 @@ struct FlowChoices {
   std::vector<std::vector<double>> gradient_table;
 };
 
+inline constexpr const char* flow_text =
+    "The homogeneous flow of the melt; positive rates of elongation stretch along x.";
+
 [[nodiscard]] KeyGroup<FlowChoices> flow_keys();
+/// The types with their names.
+[[nodiscard]] const Choices<FlowType>& flow_types();
+/// The key `type`, and those of a flow that is constant, of which a case may have to give the rate.
+[[nodiscard]] KeyRow<FlowChoices> flow_type_row();
+[[nodiscard]] KeyRows<FlowChoices> constant_flow_rows(Given rate);
 /// Finds what contradicts what within [flow].
 void validate_flow(const FlowChoices& flow, double duration, CaseChecker& checker);
 

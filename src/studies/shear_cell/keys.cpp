@@ -97,12 +97,11 @@ KeyGroup<StepParameters> step_keys() {
 
 KeyGroup<OutputChoices> output_keys() {
   using Output = OutputChoices;
-  const KeyRows<Output> others = {
+  const KeyRows<Output> frames = {
       key("frame_interval", &Output::frame_interval, {"s"}, Range::positive(),
           "Simulated time between frames of result.vtkhdf; not given: run.duration / 50.",
-          optional("\"0.2 s\"")),
-      key("checkpoint_interval", &Output::checkpoint_interval, {"s", "min"}, Range::positive(),
-          "Wall time between checkpoints."),
+          optional("\"0.2 s\""))};
+  const KeyRows<Output> others = {
       key("histogram_times", &Output::histogram_times, {"s"}, Range::not_negative(),
           "Simulated times at which histograms of length and curvature are kept, besides the start "
           "and the end.",
@@ -114,17 +113,10 @@ KeyGroup<OutputChoices> output_keys() {
       key("near_critical", &Output::near_critical, {"m", "um"}, Range::positive(1),
           "Hinges whose radius of curvature is this little above the breaking one are counted.", {},
           "thesis figure 3.31"),
-      key("stress_steps", &Output::stress_steps, {}, Range::between(0, 1e9),
-          "Time steps between two readings of the particle stress, whose means stand in series.csv; 0: none "
-          "is "
-          "read."),
-      key("stationary_from", &Output::stationary_from, {"s"}, Range::not_negative(),
-          "Simulated time from which on stresses are averaged for the summary; not given: half of "
-          "run.duration.",
-          optional("\"5 s\"")),
   };
   return {"output", "What is kept, and how often.",
-          joined<Output>({rows_of_base<Output, SeriesChoices>(series_rows()), others})};
+          joined<Output>({rows_of_base<Output, SeriesChoices>(series_rows()), frames, checkpoint_rows(),
+                          others, stress_rows()})};
 }
 
 }  // namespace
@@ -137,12 +129,34 @@ void describe_shear_cell(KeyTable& table, ShearCellCase& values) {
   describe_sample(table, values.sample);
   describe(table, flow_keys(), values.flow);
   describe(table, boundary_keys(), values.boundary);
-  describe(table, drag_keys(), values.dynamics);
-  describe(table, hinge_keys(), values.dynamics);
-  describe(table, contact_keys(), values.dynamics.contact);
-  describe(table, breakage_keys(), values.dynamics.breakage);
-  describe(table, step_keys(), values.dynamics.step);
+  describe_dynamics(table, values.dynamics);
   describe(table, output_keys(), values.output);
+}
+
+void describe_dynamics(KeyTable& table, DynamicsParameters& dynamics) {
+  describe(table, drag_keys(), dynamics);
+  describe(table, hinge_keys(), dynamics);
+  describe(table, contact_keys(), dynamics.contact);
+  describe(table, breakage_keys(), dynamics.breakage);
+  describe(table, step_keys(), dynamics.step);
+}
+
+KeyRows<OutputChoices> checkpoint_rows() {
+  return {key("checkpoint_interval", &OutputChoices::checkpoint_interval, {"s", "min"}, Range::positive(),
+              "Wall time between checkpoints.")};
+}
+
+KeyRows<OutputChoices> stress_rows() {
+  using Output = OutputChoices;
+  return {
+      key("stress_steps", &Output::stress_steps, {}, Range::between(0, 1e9),
+          "Time steps between two readings of the particle stress, whose means stand in series.csv; 0: none "
+          "is "
+          "read."),
+      key("stationary_from", &Output::stationary_from, {"s"}, Range::not_negative(),
+          "Simulated time from which on stresses are averaged for the summary; not given: half of "
+          "run.duration.",
+          optional("\"5 s\""))};
 }
 
 }  // namespace fiberfate

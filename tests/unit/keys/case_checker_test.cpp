@@ -54,5 +54,25 @@ TEST(CaseChecker, LeavesAFaultOfADataFileInItsPlace) {
   EXPECT_FALSE(checker.is_sound("fibers.rows"));
 }
 
+// What is found with other entries is told once, at the place from which these come.
+TEST(CaseChecker, ChecksACaseWithOtherEntries) {
+  const TomlDocument document = TomlDocument::parse(text, "a.toml");
+  CaseChecker checker(document, {}, NamedFiles::must_exist);
+  const TomlEntry& rows = *checker.find("fibers.rows");
+  const TomlValue& second = std::get<std::vector<TomlValue>>(rows.value.data).back();
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    checker.check_with({{"fibers.length", rows.place, second}, {"fibers.width", rows.place, second}},
+                       [](CaseChecker& inside) {
+                         EXPECT_TRUE(inside.is_given("fibers.width"));
+                         inside.error("fibers.length", "is long", "");
+                         inside.warn("fibers.width", "is odd", "");
+                       });
+  }
+  EXPECT_EQ(messages(checker), (std::vector<std::string>{"a.toml:5:3: fibers.length = [3, 4]: is long"}));
+  ASSERT_EQ(checker.warnings().size(), 1U);
+  EXPECT_EQ(checker.warnings().front().message(), "a.toml:5:3: fibers.width = [3, 4]: is odd");
+  EXPECT_FALSE(checker.is_given("fibers.width"));
+}
+
 }  // namespace
 }  // namespace fiberfate
