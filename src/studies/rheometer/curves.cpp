@@ -67,8 +67,8 @@ std::vector<std::string> curve_columns() {
   std::vector<std::string> columns = {"point",           "fibers",   "flow",   "rate_per_s", "viscosity_Pa_s",
                                       "volume_fraction", "length_m", "strain", "replicas"};
   for (const ErrorColumns& one : columns_with_errors()) columns.insert(columns.end(), {one.mean, one.error});
-  columns.insert(columns.end(), {"stretching_share", "particle_number", "particle_number_error",
-                                 "fitted_relative_viscosity", "L_N_m", "L_W_m"});
+  columns.insert(columns.end(), {"relative_viscosity_drift", "stretching_share", "particle_number",
+                                 "particle_number_error", "fitted_relative_viscosity", "L_N_m", "L_W_m"});
   return columns;
 }
 
@@ -214,7 +214,8 @@ CsvTable curves_of(const RheometerCase& values, const CsvTable& readings,
     double fitted = unknown;
     for (const RheometerFit& fit : fits)
       if (fit.fibers == all[point].fibers) fitted = fit.viscosity.at(share);
-    row.insert(row.end(), {share, stress.particle_number.value, stress.particle_number.error, fitted,
+    row.insert(row.end(), {mean_of(readings.column("relative_viscosity_drift"), rows), share,
+                           stress.particle_number.value, stress.particle_number.error, fitted,
                            mean_of(readings.column("L_N_m"), rows), mean_of(readings.column("L_W_m"), rows)});
     curves.append(row);
   }
@@ -230,6 +231,25 @@ std::string words_of(const TroutonFit& fit) {
                        fit.least_share, fit.largest_share);
   return fmt::format("R_T {:.4g} (95 %: {:.4g} to {:.4g}), eta_S {:.4g} ({:.4g} to {:.4g}) times the melt's",
                      term.value, term.lower, term.upper, ratio.value, ratio.lower, ratio.upper);
+}
+
+std::string words_of_drift(const CsvTable& curves) {
+  constexpr double steady = 0.05;  // less than this share of what the fibers add counts as steady
+  constexpr double chance = 4;     // standard errors of the mean: two of the difference of its halves
+  double largest = 0;
+  std::size_t where = 0;
+  for (std::size_t row = 0; row < curves.rows(); ++row) {
+    const double added = std::abs(curves.column("relative_viscosity")[row] - 1);
+    const double drift = curves.column("relative_viscosity_drift")[row], share = drift / added;
+    if (std::abs(drift) < chance * curves.column("relative_viscosity_error")[row]) continue;
+    if (std::abs(share) <= std::abs(largest)) continue;
+    largest = share;
+    where = row;
+  }
+  if (std::abs(largest) < steady) return "";
+  return fmt::format(
+      "not steady yet: what fibers add to the viscosity {} by {:.2g} % while it is averaged ({})",
+      largest > 0 ? "rises" : "falls", 100 * std::abs(largest), name_of_point(curves, where));
 }
 
 Outcome evaluate(const RheometerCase& values, const CsvTable& readings) {

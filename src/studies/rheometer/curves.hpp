@@ -29,6 +29,11 @@ struct RheometerFit {
 [[nodiscard]] CsvTable curves_of(const RheometerCase& values, const CsvTable& readings,
                                  const std::vector<RheometerFit>& fits);
 
+/// States where the viscosity drifts most while it is averaged; empty where it is steady, that is where what
+/// the fibers add changes by less than 5 %, or by chance, from the first half of the averaged rows to the
+/// last.
+[[nodiscard]] std::string words_of_drift(const CsvTable& curves);
+
 /// Makes the outcome of the finished runs: tables curves and fits, summary, headlines.
 [[nodiscard]] Outcome evaluate(const RheometerCase& values, const CsvTable& readings);
 

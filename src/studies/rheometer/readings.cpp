@@ -51,6 +51,14 @@ std::vector<double> stationary(std::span<const double> history, std::size_t colu
   return values;
 }
 
+/// How much larger the mean of the last half of values is than that of the first half; NaN for fewer than
+/// two.
+double drift(std::span<const double> values) {
+  const std::size_t half = values.size() / 2;
+  if (half == 0) return std::numeric_limits<double>::quiet_NaN();
+  return block_mean(values.last(half)).mean - block_mean(values.first(half)).mean;
+}
+
 double planned_length(const SampleCase& sample) {
   return sample.cluster.source == ClusterSource::file ? std::numeric_limits<double>::quiet_NaN()
                                                       : number_average(length_law(sample.fibers));
@@ -92,7 +100,7 @@ const std::vector<std::string>& reading_columns() {
                                     "viscosity_Pa_s", "volume_fraction", "length_m", "strain", "rows"};
     for (const std::string& column : columns_of(averaged_observables())) all.push_back(column);
     for (const ErrorColumns& one : with_errors) all.emplace_back(one.error);
-    all.insert(all.end(), {"L_N_m", "L_W_m", "breaks"});
+    all.insert(all.end(), {"relative_viscosity_drift", "L_N_m", "L_W_m", "breaks"});
     return all;
   }();
   return columns;
@@ -105,8 +113,11 @@ std::vector<double> reading_row(const RunPlace& place, const CellMoment& last,
   const Observables<CellMoment>& averaged = averaged_observables();
   std::vector<double> means, errors;
   std::size_t rows = 0;
+  double viscosity_drift = 0;
   for (std::size_t i = 0; i < averaged.size(); ++i) {
-    const BlockMean mean = block_mean(stationary(history, i, from));
+    const std::vector<double> values = stationary(history, i, from);
+    const BlockMean mean = block_mean(values);
+    if (averaged[i].column == with_errors.front().mean) viscosity_drift = drift(values);
     const bool is_known = mean.values > 0;
     rows = std::max(rows, mean.values);
     means.push_back(is_known ? mean.mean : std::numeric_limits<double>::quiet_NaN());
@@ -126,7 +137,7 @@ std::vector<double> reading_row(const RunPlace& place, const CellMoment& last,
                              static_cast<double>(rows)};
   row.insert(row.end(), means.begin(), means.end());
   row.insert(row.end(), errors.begin(), errors.end());
-  row.insert(row.end(), {last.lengths.number_average, last.lengths.weight_average,
+  row.insert(row.end(), {viscosity_drift, last.lengths.number_average, last.lengths.weight_average,
                          static_cast<double>(last.state.breaks)});
   return row;
 }

@@ -218,6 +218,7 @@ ReportDocument report_rheometer(const RheometerCase& values, const ResultFolder&
   else
     document.sections.emplace_back(table_of(fits));
   const CsvTable curves = curves_of(values, readings, fits);
+  if (const std::string drift = words_of_drift(curves); !drift.empty()) document.subtitle = drift;
   const auto draw = [&](LinesSection section, const std::vector<Drawn>& quantities) {
     section = section_of(values, curves, std::move(section), quantities);
     if (!section.series.empty()) document.sections.emplace_back(std::move(section));

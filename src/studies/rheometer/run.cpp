@@ -172,6 +172,9 @@ void RheometerRun::show() const {
 Outcome RheometerRun::outcome(StopReason reason) const {
   session_.end_progress();
   Outcome outcome = evaluate(values_, progress_.readings);
+  const std::string drift = words_of_drift(outcome.table("curves"));
+  if (reason == StopReason::done && !drift.empty())
+    session_.recorder().warn(drift + "; a larger sweep.strain or run.duration would show what it comes to");
   outcome.summary.stop_reason = reason;
   outcome.summary.seed = values_.cell.run.seed;
   outcome.summary.wall_s = wall_before_ + session_.wall_s();

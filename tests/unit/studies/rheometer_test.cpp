@@ -1,6 +1,7 @@
 // Checks the grid of the rheometer, and what it measures against the study shear_cell.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -115,6 +116,22 @@ TEST(Rheometer, AveragesReplicasAndFitsThem) {
   EXPECT_EQ(fits.column("readings").front(), 4);
   EXPECT_GT(fits.column("particle_number").front(), 0);
   EXPECT_GT(fits.column("stress_explained").front(), 0.5);
+}
+
+// Fibers that are still aligning make the melt more viscous all the time, and the run says so.
+TEST(Rheometer, WarnsOfFlowsThatAreNotSteady) {
+  RheometerCase values = few_fibers();
+  values.cell.flow.type = FlowType::planar;
+  values.sweep.strain = 1;
+  MemoryRecorder recorder;
+  Session session(recorder, {.threads = 1});
+  const Outcome found = compute_rheometer(values, session);
+  EXPECT_GT(found.table("curves").column("relative_viscosity_drift").front(), 0);
+  const auto warns = [](const LogLine& line) {
+    return line.level == LogLine::Level::warning &&
+           line.text.starts_with("not steady yet: what fibers add to the viscosity rises");
+  };
+  EXPECT_TRUE(std::any_of(recorder.log().begin(), recorder.log().end(), warns));
 }
 
 // Drag of beads that do not shield each other pulls on a rod by 3 pi eta a length: N_p = r²/2 where fibers
