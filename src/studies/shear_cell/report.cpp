@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "base/law_choice.hpp"
@@ -86,13 +87,58 @@ FactsSection asked(const ShearCellCase& values) {
   return section;
 }
 
+/// A mean over the stationary part in a summary.
+struct MeanKeys {
+  const char *label, *mean, *error, *unit;
+};
+constexpr MeanKeys means[] = {
+    {"Relative viscosity", "relative_viscosity_mean", "relative_viscosity_error", ""},
+    {"Elongational viscosity", "elongational_viscosity_mean_Pa_s", "elongational_viscosity_error_Pa_s",
+     "Pa s"},
+    {"First normal stress difference", "N1_mean_Pa", "N1_error_Pa", "Pa"},
+    {"Second normal stress difference", "N2_mean_Pa", "N2_error_Pa", "Pa"}};
+
+/// The mean over the stationary part with its standard error.
+void append_mean(std::vector<Fact>& facts, const SummaryFile& summary, const MeanKeys& keys) {
+  const double mean = summary.number(keys.mean), error = summary.number(keys.error);
+  if (!std::isfinite(mean)) return;
+  const std::string label = std::string(keys.label) + ", mean";
+  if (!std::isfinite(error)) {
+    facts.push_back({label, mean, keys.unit});
+    return;
+  }
+  facts.push_back(
+      {label, fmt::format("{:.4g} ± {:.2g}{}{}", mean, error, *keys.unit == 0 ? "" : " ", keys.unit)});
+}
+
 FactsSection came_out(const SummaryFile& summary) {
   FactsSection section{"outcome", "Results", outcome_facts(summary)};
   section.rows.insert(section.rows.begin(), {{"Simulated time", summary.number("simulated_s"), "s"},
-                                             {"Shear strain", summary.number("strain")},
+                                             {"Strain", summary.number("strain")},
                                              {"Breaks", summary.count("breaks")}});
   section.rows.push_back({"Largest overlap at the end", summary.number("max_overlap_radii"), "radii"});
+  for (const MeanKeys& keys : means) append_mean(section.rows, summary, keys);
   return section;
+}
+
+bool has_numbers(const LinesSection& section) {
+  return std::any_of(section.series.begin(), section.series.end(), [](const ReportSeries& one) {
+    return std::any_of(one.values.begin(), one.values.end(),
+                       [](double value) { return std::isfinite(value); });
+  });
+}
+
+/// The charts that tell something of this flow: an elongation has no shear stress, and without readings there
+/// is none.
+std::vector<LinesSection> charts(FlowType type, const CsvTable& series) {
+  const bool shears = type != FlowType::planar && type != FlowType::uniaxial && type != FlowType::biaxial;
+  std::vector<LinesSection> sections = draw(cell_charts(), cell_observables(), series);
+  std::erase_if(sections, [&](const LinesSection& section) {
+    const bool of_other_flows = (section.id == "shear_causes" && !shears) ||
+                                (section.id == "stretch_causes" && type == FlowType::shear);
+    return of_other_flows || !has_numbers(section);
+  });
+  return sections;
 }
 
 HistogramSection break_radius_section(const ShearCellCase& values, const CsvTable& breaks) {
@@ -123,7 +169,7 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
   const std::optional<SummaryFile> summary = read_summary(folder.summary());
   if (summary) document.sections.emplace_back(came_out(*summary));
   const CsvTable series = read_csv(folder.series());
-  append(document.sections, draw(cell_charts(), cell_observables(), series));
+  append(document.sections, charts(values.flow.type, series));
   const VtkhdfReader frames(folder.frames());
   const std::vector<double> times = histogram_times(values, frames);
   document.sections.emplace_back(length_section(frames, times, values.output.length_bin));

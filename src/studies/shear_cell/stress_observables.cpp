@@ -33,16 +33,22 @@ double value_of(Rheology what, const CellMoment& m) {
   }
 }
 
+/// The chart that shows a component by cause: that of stretching along x, or that of shear.
+std::string chart_of_causes(int row, int column) {
+  if (row == 0 && column == 0) return "stretch_causes";
+  return row == 0 && column == 1 ? "shear_causes" : "";
+}
+
 Observables<CellMoment> parts_by_cause() {
   Observables<CellMoment> all;
   for (std::size_t i = 0; i < stress_causes; ++i) {
     const auto cause = static_cast<StressCause>(i);
     for (const auto& [row, column] : components) {
       const std::string pair = std::to_string(row + 1) + std::to_string(column + 1);
-      const bool is_drawn = row == 0 && column == 1;
+      const std::string chart = chart_of_causes(row, column);
       all.push_back(
-          {std::string("stress_") + name(cause) + "_" + pair + "_Pa", "Pa", is_drawn ? name(cause) : "",
-           is_drawn ? "stress_causes" : "",
+          {std::string("stress_") + name(cause) + "_" + pair + "_Pa", "Pa", chart.empty() ? "" : name(cause),
+           chart,
            of_stress([cause, r = row, c = column](const ParticleStress& s) { return s.of(cause)(r, c); })});
     }
   }
