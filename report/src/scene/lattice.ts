@@ -63,6 +63,8 @@ export function make_upright(lattice: number[]): number[] {
   const second = gather(flat, 1, 1e-9 * size);
   const first = flat.find((column) => column !== second);
   if (!first || !second || !third) return lattice;
+  // A lattice that stretches has no upright basis but for one that round-off makes, of vectors without end.
+  if ([first, second, third].some((column) => Math.hypot(...column) > 100 * size)) return lattice;
   const upright = [first, second, third].map((column, axis) => (column[axis]! < 0 ? column.map((value) => -value) : column)) as Columns;
   // What Euclid leaves below the diagonal is round-off.
   const entry = (row: number, column: number): number => (row > column ? 0 : upright[column]![row]!);

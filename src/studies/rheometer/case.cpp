@@ -145,7 +145,7 @@ void validate_rheometer(const RheometerCase& values, CaseChecker& checker) {
   validate_ends(values, checker);
   validate_replicas(values, checker);
   if (values.cell.output.stress_steps == 0)
-    checker.error("output.stress_steps", "without readings of the stress there is nothing to see", "give 20");
+    checker.error("output.stress_steps", "without readings of the stress there is nothing to see", "give 50");
   const auto runs =
       static_cast<double>(points(values.sweep).size()) * static_cast<double>(values.sweep.replicas);
   if (runs > most_runs)

@@ -164,7 +164,8 @@ std::vector<double> histogram_times(const ShearCellCase& values, const VtkhdfRea
 }  // namespace
 
 ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder& folder) {
-  ReportDocument document{"Fibers in a sheared cell"};
+  ReportDocument document{values.flow.type == FlowType::shear ? "Fibers in a sheared cell"
+                                                              : "Fibers in a flowing cell"};
   document.sections.emplace_back(asked(values));
   const std::optional<SummaryFile> summary = read_summary(folder.summary());
   if (summary) document.sections.emplace_back(came_out(*summary));
