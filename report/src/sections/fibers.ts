@@ -217,7 +217,8 @@ function has_many_lengths(store: FrameStore): boolean {
 }
 
 /** Says how the times between frames come about. */
-function explain_between(frames: FiberFrame[]): string {
+function explain_between(frames: FiberFrame[], is_sheared: boolean): string {
+  if (frames.length > 1 && !is_sheared) return `${frames.length} frames, one after another; a cell that stretches goes on in new images of its lattice.`;
   return frames.length > 1 ? `${frames.length} frames; between them fibers ride with the shear, and turn and drift evenly on top of it.` : "";
 }
 
@@ -238,7 +239,7 @@ export function render_fibers(section: FibersSection): HTMLElement {
   shown.go = player.go;
   shown.pointer = follow_pointer(stage, shown.view, () => shown, () => show_state(shown));
   add_controls(controls, shown);
-  figure.append(player.element, make("p", { class: "between" }, explain_between(section.frames)));
+  figure.append(player.element, make("p", { class: "between" }, explain_between(section.frames, window_of(store.at(0)) !== undefined)));
   go_to(shown, last);
   choose_colours(shown, shown.colouring);
   add_print_view((palette) => bar.replaceChildren(make_colour_bar(shown.scale, palette)));

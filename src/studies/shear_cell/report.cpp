@@ -34,6 +34,22 @@ const char* name(FlowType type) {
   }
 }
 
+/// What the axes of the picture are.
+const char* axes_of(FlowType type) {
+  switch (type) {
+    case FlowType::planar:
+      return "Stretched along x, shortened along y.";
+    case FlowType::uniaxial:
+      return "Stretched along x, shortened along y and z.";
+    case FlowType::biaxial:
+      return "Stretched along x and y, shortened along z.";
+    case FlowType::gradient:
+      return "";
+    default:
+      return "Flow along x, gradient along y.";
+  }
+}
+
 void append_flow(std::vector<Fact>& facts, const FlowChoices& flow) {
   facts.push_back({"Flow", std::string(name(flow.type))});
   if (flow.kind == FlowKind::table) {
@@ -102,13 +118,9 @@ constexpr MeanKeys means[] = {
 void append_mean(std::vector<Fact>& facts, const SummaryFile& summary, const MeanKeys& keys) {
   const double mean = summary.number(keys.mean), error = summary.number(keys.error);
   if (!std::isfinite(mean)) return;
-  const std::string label = std::string(keys.label) + ", mean";
-  if (!std::isfinite(error)) {
-    facts.push_back({label, mean, keys.unit});
-    return;
-  }
-  facts.push_back(
-      {label, fmt::format("{:.4g} ± {:.2g}{}{}", mean, error, *keys.unit == 0 ? "" : " ", keys.unit)});
+  const std::string note =
+      std::isfinite(error) && mean != 0 ? fmt::format("± {:.2g} %", 100 * std::abs(error / mean)) : "";
+  facts.push_back({std::string(keys.label) + ", mean", mean, keys.unit, note});
 }
 
 FactsSection came_out(const SummaryFile& summary) {
@@ -178,7 +190,7 @@ ReportDocument report_shear_cell(const ShearCellCase& values, const ResultFolder
   const CsvTable breaks = read_csv(folder.breaks());
   if (breaks.rows() > 0) document.sections.emplace_back(break_radius_section(values, breaks));
   document.sections.emplace_back(
-      fibers_section(frames, "Flow along x, gradient along y.", read_cell_history(series, breaks)));
+      fibers_section(frames, axes_of(values.flow.type), read_cell_history(series, breaks)));
   if (summary) document.sections.emplace_back(effort_section(*summary));
   return document;
 }
