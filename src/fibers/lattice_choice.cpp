@@ -142,20 +142,26 @@ bool is_carried(const Gradients& gradients) {
   return std::ranges::all_of(gradients, is_simple_shear);
 }
 
-/// The time for which a box stands a flow before its images are a tenth of its edge apart, s.
-double time_that_a_box_stands(const Gradients& gradients, const FlowHistory& flow, const Vec3& size) {
-  constexpr double smallest_share = 0.1, strain = 0.02, most_strain = 100;
+/// How long a box stands a flow before its images are a tenth of its edge apart.
+struct Stand {
+  double time = 0;    ///< s
+  double strain = 0;  ///< integral of the largest principal rate
+};
+Stand stand_of_a_box(const Gradients& gradients, const FlowHistory& flow, const Vec3& size) {
+  constexpr double smallest_share = 0.1, part = 0.02, most_strain = 100;
   double rate = 0;
   for (const Mat3& gradient : gradients) rate = std::max(rate, gradient.norm());
   Cell cell = rectangular_cell(size);
-  const double limit = smallest_share * nearest_image(cell), step = strain / rate;
-  double time = 0;
-  while (nearest_image(cell) > limit && time * rate < most_strain) {
-    deform(cell, flow.at(time).gradient, step);
+  const double limit = smallest_share * nearest_image(cell), step = part / rate;
+  Stand stand;
+  while (nearest_image(cell) > limit && stand.time * rate < most_strain) {
+    const Flow now = flow.at(stand.time);
+    deform(cell, now.gradient, step);
     if (is_skewed(cell)) reduce(cell);
-    time += step;
+    stand.time += step;
+    stand.strain += step * principal_rate(now);
   }
-  return time;
+  return stand;
 }
 
 /// The frame that stretches or turns with all gradients, if there is one.
@@ -173,9 +179,11 @@ std::optional<LatticeFrame> frame_for(const Gradients& gradients, const Vec3& si
   const char* reason =
       each_alone ? "its gradients have different axes"
                  : "its gradient turns and stretches at once, or shears along an axis that it stretches";
+  const Stand stand = stand_of_a_box(gradients, flow, size);
   throw InputError(
-      fmt::format("no lattice comes back to itself in this flow: {}; a box would be flat at {:.3g} s", reason,
-                  time_that_a_box_stands(gradients, flow, size)),
+      fmt::format("no lattice comes back to itself in this flow: {}; a box would be flat at {:.3g} s, a "
+                  "strain of {:.3g}",
+                  reason, stand.time, stand.strain),
       "give simple shear u_x(y), elongations along the same axes, or flows in x and y that are multiples of "
       "one");
 }

@@ -22,6 +22,7 @@ export function launch_browser({ modules, chromium: program }) {
 /** Opens a report on a page that may load nothing but itself; `watch` may listen before it loads. */
 export async function open_page(browser, file, context_options = {}, watch = () => {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, offline: true, ...context_options });
+  context.setDefaultTimeout(120_000); // ms: without a graphics card a busy machine is slow
   const page = await context.newPage();
   watch(page);
   await page.goto(pathToFileURL(file).href);
