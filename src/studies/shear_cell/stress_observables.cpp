@@ -78,6 +78,8 @@ Observables<CellMoment> viscosities() {
       {"elongational_viscosity_Pa_s", "Pa s", "", "", measure(Rheology::elongational_viscosity)},
       {"stress_power_error", "", "", "",
        of_stress([](const ParticleStress& s) { return s.spent_power() / s.supplied_power - 1; })},
+      {"stress_antisymmetric_Pa", "Pa", "", "",
+       of_stress([](const ParticleStress& s) { return s.antisymmetric.norm(); })},
       {"unanswered_force", "", "", "", of_stress([](const ParticleStress& s) {
          return s.answered > 0 ? std::sqrt(s.unanswered / s.answered) : 0;
        })},
