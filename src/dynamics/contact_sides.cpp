@@ -27,12 +27,8 @@ RodSide::RodSide(const SolvedStep& step, const PairForce& pair, RodIndex rod, do
   force_ = sign * Vec3(pair.force) - pair.along * along - pair.across * (change - along);
 }
 
-Vec3 RodSide::place(IndexedSpan<NodeIndex, const Vec3> nodes) const {
+Vec3 RodSide::on_axis(IndexedSpan<NodeIndex, const Vec3> nodes) const {
   return (1 - place_) * nodes[first_end(rod_)] + place_ * nodes[second_end(rod_)];
-}
-
-Vec3 RodSide::axis_velocity(IndexedSpan<NodeIndex, const Vec3> w) const {
-  return place(w);
 }
 
 Vec3 RodSide::turning(IndexedSpan<NodeIndex, const Vec3> w, const Mat3& strain_rate) const {
@@ -44,7 +40,7 @@ Vec3 RodSide::turning(IndexedSpan<NodeIndex, const Vec3> w, const Mat3& strain_r
 Vec3 RodSide::skin_velocity(IndexedSpan<NodeIndex, const Vec3> w) const {
   const Vec3 change = w[second_end(rod_)] - w[first_end(rod_)];
   const Vec3 turned = normal_.dot(change) * direction_ - normal_.dot(direction_) * change;
-  return place(w) + sign_ * 0.5 * distance_ / length_ * turned;
+  return on_axis(w) + sign_ * 0.5 * distance_ / length_ * turned;
 }
 
 Mat3 RodSide::couple_moment(IndexedSpan<NodeIndex, const Vec3> nodes) const {
@@ -70,9 +66,8 @@ ContactSides::ContactSides(const SolvedStep& step, RodIndex rod, const PairForce
   const Mat3 strain_rate = flow.rate_of_strain();
   const Vec3 axes = pair_of(step, share).distance * normal_;
   const auto& last = step.problem.state.relative_velocity;
-  gap_ = axes + 0.5 * step.problem.step *
-                    (flow.gradient * axes + first.axis_velocity(last) - second.axis_velocity(last));
-  slip_ = first.axis_velocity(step.velocity) - second.axis_velocity(step.velocity) + strain_rate * axes -
+  gap_ = axes + 0.5 * step.problem.step * (flow.gradient * axes + first.on_axis(last) - second.on_axis(last));
+  slip_ = first.on_axis(step.velocity) - second.on_axis(step.velocity) + strain_rate * axes -
           0.5 * pair_of(step, share).distance *
               (first.turning(step.velocity, strain_rate) + second.turning(step.velocity, strain_rate));
 }

@@ -14,14 +14,12 @@ class RodSide {
   [[nodiscard]] double sign() const { return sign_; }
   /// The force that moved the rod: the linearised one at the solved velocities, N.
   [[nodiscard]] const Vec3& force() const { return force_; }
-  /// The place of the contact on the rod's axis.
-  [[nodiscard]] Vec3 place(IndexedSpan<NodeIndex, const Vec3> nodes) const;
+  /// What the nodes have, positions or velocities, at the place of the contact on the rod's axis.
+  [[nodiscard]] Vec3 on_axis(IndexedSpan<NodeIndex, const Vec3> nodes) const;
   /// First moment of the node forces that stand for the couple, symmetric, N m.
   [[nodiscard]] Mat3 couple_moment(IndexedSpan<NodeIndex, const Vec3> nodes) const;
   /// The couple about the rod's own axis, which nothing takes up, N m.
   [[nodiscard]] Vec3 lost_torque() const;
-  /// Velocity of the axis relative to the fluid at the place, m/s.
-  [[nodiscard]] Vec3 axis_velocity(IndexedSpan<NodeIndex, const Vec3> w) const;
   /// What the rod's turning adds to the velocity of its skin, each unit of distance in the direction
   /// `normal`.
   [[nodiscard]] Vec3 turning(IndexedSpan<NodeIndex, const Vec3> w, const Mat3& strain_rate) const;

@@ -115,7 +115,7 @@ void FiberSum::add_pairs(RodIndex rod) {
   for (const PairForces::Share& share : step_.loads.pairs().of_rod(rod)) {
     const ContactSides sides(step_, rod, share);
     const RodSide& own = sides.own();
-    const Vec3 arm = own.place(problem_.geometry) - centroid_;
+    const Vec3 arm = own.on_axis(problem_.geometry) - centroid_;
     const Vec3 mean = sides.mean_force(), gap = 0.5 * sides.gap();
     add_moment(own.couple_moment(problem_.geometry), sides.normal(), arm, own.force() - own.sign() * mean);
     add_moment(Mat3::Zero(), sides.normal(), gap, mean);

@@ -5,19 +5,17 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <complex>
 #include <optional>
 #include <vector>
 
-#include "base/constants.hpp"
 #include "base/error.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr double round_off = 1e-9;  // relative: less counts as nothing
+constexpr const char* pack_anew = "pack the fibers anew for this flow: cluster.source = \"generate\"";
 
 using Gradients = std::vector<Mat3>;
 
@@ -227,18 +225,16 @@ void require_follows(const Cell& cell, const FlowHistory& flow) {
   if (gradients.empty()) return;
   if (cell.frame.kind != LatticeKind::carried) {
     if (follows(cell.frame, gradients)) return;
-    throw InputError("the lattice of the cell is made for another flow",
-                     "pack the fibers anew for this flow: cluster.source = \"generate\"");
+    throw InputError("the lattice of the cell is made for another flow", pack_anew);
   }
   const auto lies_flat = [&](int i) {
     return std::abs(cell.lattice(1, i)) <= round_off * cell.lattice.col(i).norm();
   };
   if (!is_carried(gradients))
     throw InputError("the cell is a box for simple shear u_x(y), and this flow would make it flat",
-                     "pack the fibers anew for this flow: cluster.source = \"generate\"");
+                     pack_anew);
   if (lies_flat(0) + lies_flat(1) + lies_flat(2) < 2)
-    throw InputError("the layers of the cell's lattice are not those of a shear u_x(y)",
-                     "pack the fibers anew for this flow: cluster.source = \"generate\"");
+    throw InputError("the layers of the cell's lattice are not those of a shear u_x(y)", pack_anew);
 }
 
 double nearest_image_ever(const Cell& cell) {

@@ -34,4 +34,18 @@ Mat3 shear_gradient(ShearGradient direction, double rate) {
   return gradient;
 }
 
+std::vector<Column> gradient_columns() {
+  std::vector<Column> columns;
+  for (const char* name : {"L11", "L12", "L13", "L21", "L22", "L23", "L31", "L32", "L33"})
+    columns.push_back({name, {"1/s", "1/s"}, Range::between(-1e7, 1e7)});
+  return columns;
+}
+
+Mat3 row_gradient(const std::vector<double>& row, std::size_t first) {
+  Mat3 gradient;
+  for (std::size_t k = 0; k < 9; ++k)
+    gradient(static_cast<int>(k / 3), static_cast<int>(k % 3)) = row[first + k];
+  return gradient;
+}
+
 }  // namespace fiberfate

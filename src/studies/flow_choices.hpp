@@ -1,5 +1,9 @@
-// What several studies choose about a flow: a Couette rheometer, and the direction of a shear.
+// What several studies choose about a flow: a Couette rheometer, the direction of a shear, gradients in
+// tables.
 #pragma once
+
+#include <cstddef>
+#include <vector>
 
 #include "base/vector.hpp"
 #include "continuum/couette_rheometer.hpp"
@@ -18,5 +22,10 @@ enum class ShearGradient { y, z };
 inline constexpr const char* shear_gradient_text = "Direction along which the velocity of a shear varies.";
 /// The velocity gradient of simple shear along x, 1/s.
 [[nodiscard]] Mat3 shear_gradient(ShearGradient direction, double rate);
+
+/// The columns L11, L12, … L33 of a velocity gradient in a table.
+[[nodiscard]] std::vector<Column> gradient_columns();
+/// The velocity gradient of nine such numbers of a row, from a place on, 1/s.
+[[nodiscard]] Mat3 row_gradient(const std::vector<double>& row, std::size_t first);
 
 }  // namespace fiberfate

@@ -42,13 +42,6 @@ void set_constants(OrientationModel& model, const LawMenu& menu, const LawChoice
   for (std::size_t i = 0; i < values.size(); ++i) set_constant(model, law.parameters[i].name, values[i]);
 }
 
-Mat3 row_gradient(const std::vector<double>& row, std::size_t first) {
-  Mat3 gradient;
-  for (std::size_t k = 0; k < 9; ++k)
-    gradient(static_cast<int>(k / 3), static_cast<int>(k % 3)) = row[first + k];
-  return gradient;
-}
-
 Mat3 constant_gradient(const OrientationFlowChoices& flow) {
   const double rate = flow.rate.value_or(0);
   Mat3 shear = shear_gradient(flow.shear_gradient, rate);

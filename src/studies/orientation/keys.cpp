@@ -4,13 +4,6 @@
 namespace fiberfate {
 namespace {
 
-std::vector<Column> gradient_columns() {
-  std::vector<Column> columns;
-  for (const char* name : {"L11", "L12", "L13", "L21", "L22", "L23", "L31", "L32", "L33"})
-    columns.push_back({name, {"1/s", "1/s"}, Range::between(-1e7, 1e7)});
-  return columns;
-}
-
 std::vector<Column> timed_gradient_columns() {
   std::vector<Column> columns = gradient_columns();
   columns.insert(columns.begin(), Column{"time", {"s", "s"}, Range::not_negative()});

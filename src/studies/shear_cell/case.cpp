@@ -29,16 +29,16 @@ void validate_lattice(const ShearCellCase& values, CaseChecker& checker) {
   if (!checker.is_sound()) return;
   const FlowHistory flow = flow_history(values.flow);
   const char* place = values.flow.kind == FlowKind::table ? "flow.kind" : "flow.type";
-  double nearest = 1;
-  const auto follow = [&] { nearest = nearest_image_ever(cell_for(flow, Vec3::Ones())); };
-  if (!checker.report_at(place, follow)) return;
-  const bool is_shear = cell_for(flow, Vec3::Ones()).frame.kind == LatticeKind::carried;
+  Cell cell;
+  if (!checker.report_at(place, [&] { cell = cell_for(flow, Vec3::Ones()); })) return;
+  const bool is_shear = cell.frame.kind == LatticeKind::carried;
   if (values.boundary.y == Boundary::walls && !is_shear)
     checker.error("boundary.y", "walls stand in a flow that is not along them, " + checker.cite("flow.type"),
                   "take \"periodic\", or flow.type = \"shear\"");
   const auto plan = plan_sample(values.sample, values.run.seed);
   if (is_shear || !plan) return;
   const double edge = std::cbrt(plan->cell_size.prod()), least = closest * values.sample.fibers.diameter;
+  const double nearest = nearest_image_ever(cell);
   if (nearest * edge < least)
     checker.error(
         values.sample.cell.size ? "cell.size" : "fibers.count",

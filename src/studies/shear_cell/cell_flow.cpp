@@ -7,26 +7,13 @@
 #include <limits>
 
 #include "base/constants.hpp"
-#include "fibers/lattice_choice.hpp"
+#include "studies/flow_choices.hpp"
 
 namespace fiberfate {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double most_parts = 1e6;  ///< of an oscillation; more are a slip of the unit
-
-Mat3 matrix_of(const std::vector<double>& row, std::size_t first) {
-  Mat3 gradient;
-  for (int i = 0; i < 9; ++i) gradient(i / 3, i % 3) = row.at(first + i);
-  return gradient;
-}
-
-std::vector<Column> gradient_columns() {
-  std::vector<Column> columns;
-  for (const char* name : {"L11", "L12", "L13", "L21", "L22", "L23", "L31", "L32", "L33"})
-    columns.push_back({name, {"1/s", "1/s"}, Range::between(-1e7, 1e7)});
-  return columns;
-}
 
 const Range& viscosities() {
   static const Range range = {0, 1e9, Range::Ends::open_low};
@@ -83,7 +70,7 @@ FlowHistory history_of_table(const FlowChoices& flow) {
   std::vector<FlowRow> rows;
   double begin = 0;
   for (const std::vector<double>& row : by_gradient ? flow.gradient_table : flow.table) {
-    rows.push_back({begin, {by_gradient ? matrix_of(row, 1) : Mat3(row[1] * unit), row.back()}});
+    rows.push_back({begin, {by_gradient ? row_gradient(row, 1) : Mat3(row[1] * unit), row.back()}});
     begin = row[0];
   }
   return FlowHistory(std::move(rows));
@@ -212,7 +199,7 @@ Mat3 unit_gradient(const FlowChoices& flow) {
       mixed(1, 0) = flow.alpha;
       return mixed;
     case FlowType::gradient:
-      return flow.gradient.empty() ? Mat3(Mat3::Zero()) : matrix_of(flow.gradient.front(), 0);
+      return flow.gradient.empty() ? Mat3(Mat3::Zero()) : row_gradient(flow.gradient.front(), 0);
     default:
       return simple_shear_gradient();
   }
@@ -246,8 +233,7 @@ double total_strain(const FlowHistory& history, double time) {
   return strain;
 }
 
-double hencky_strain(const FlowHistory& history, double time) {
-  const LatticeFrame frame = cell_for(history, Vec3::Ones()).frame;
+double hencky_strain(const LatticeFrame& frame, const FlowHistory& history, double time) {
   if (frame.kind == LatticeKind::carried || frame.kind == LatticeKind::rotating) return 0;
   Vec3 strain = Vec3::Zero();
   for (const FlowPart& part : history.parts(0, time))

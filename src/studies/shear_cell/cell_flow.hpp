@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "fibers/lattice_frame.hpp"
 #include "keys/case_checker.hpp"
 #include "keys/key_rows.hpp"
 #include "microstructure/flow_history.hpp"
@@ -59,7 +60,7 @@ void validate_flow(const FlowChoices& flow, double duration, CaseChecker& checke
 [[nodiscard]] double total_strain(const FlowHistory& history, double time);
 /// The largest logarithmic strain along the axes of the flow until `time`; 0 in simple shear, and in flows
 /// that turn.
-[[nodiscard]] double hencky_strain(const FlowHistory& history, double time);
+[[nodiscard]] double hencky_strain(const LatticeFrame& frame, const FlowHistory& history, double time);
 /// The viscosity that the total stress 2 eta D + stress shows in an elongation, Pa s: sigma_11 − sigma_22
 /// over the rate (planar), sigma_11 − (sigma_22 + sigma_33)/2 (uniaxial), (sigma_11 + sigma_22)/2 − sigma_33
 /// (biaxial); NaN in other flows.

@@ -92,7 +92,7 @@ CellMoment moment_of(const ShearCellCase& values, const FlowHistory& flow, Simul
           flow.at(state.time),
           flow_rate(values.flow, flow.at(state.time).gradient),
           flow_strain(values.flow, flow, state.time),
-          hencky_strain(flow, state.time),
+          hencky_strain(state.cell.frame, flow, state.time),
           mean_lengths(state),
           contacts,
           orientation_tensor(state, Weighting::length),
